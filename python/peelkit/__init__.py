@@ -8,22 +8,27 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 from ._native import SCHEMA, VERSION as __version__
 from ._sweep import read_sweep, sweep
 from .analyses import Fit, Optimum, Uncertainty, fit, optimise, uncertainty
-from .curve import Curve
+from .curve import Columns, Curve, PullOffCurve, RateCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
+from .found import Found
 from .path import Path, PathPoint
 from .peel import Peel
 from .points import LimitPoint, Peak, Plateau
+from .pulls import PullAtRate, PullOff
 from .scene import Scene
 from .sensitivity import Sensitivity
 from .state import State
+from .tip_law import TipLaw
 
 __all__ = [
     "SCHEMA",
     "ComputationError",
     "ComputationWarning",
+    "Columns",
     "Curve",
     "Fit",
+    "Found",
     "LimitPoint",
     "Optimum",
     "Path",
@@ -32,11 +37,16 @@ __all__ = [
     "Peel",
     "PeelkitError",
     "Plateau",
+    "PullAtRate",
+    "PullOff",
+    "PullOffCurve",
+    "RateCurve",
     "Scene",
     "SceneError",
     "Sensitivity",
     "State",
     "Test",
+    "TipLaw",
     "Uncertainty",
     "__version__",
     "fit",

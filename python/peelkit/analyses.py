@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import copy
-import json
 import os
 import warnings
 from collections.abc import Mapping
@@ -14,23 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from .errors import ComputationWarning, SceneError
+from .found import Found
 from .scene import Scene
 
 __all__ = ["Fit", "Optimum", "Uncertainty", "fit", "optimise", "uncertainty"]
 
 
-class _Found:
-    """What an analysis has found: the object of its ``summary.json``."""
-
-    def __init__(self, summary: Mapping[str, Any]) -> None:
-        self._found = dict(summary)
-
-    def summary(self) -> dict[str, Any]:
-        """Return the object that the command prints with ``--json``, units in its names."""
-        return copy.deepcopy(self._found)
-
-
-class Optimum(_Found):
+class Optimum(Found):
     """The best design that was found; :func:`optimise` makes one.
 
     Attributes
@@ -39,9 +27,13 @@ class Optimum(_Found):
         The best design as a scene of its own.
     """
 
-    def __init__(self, summary: Mapping[str, Any], scene: Scene | None) -> None:
-        super().__init__(summary)
+    def __init__(self, native: _native.Found | None, summary: Mapping[str, Any], scene: Scene | None) -> None:
+        super().__init__(native, summary)
         self.scene = scene
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Every number; what is read again cannot be saved."""
+        return type(self), (None, self._found, self.scene)
 
     @property
     def objective(self) -> float:
@@ -71,7 +63,7 @@ class Optimum(_Found):
         return f"<Optimum: {self._found['of']} = {self.objective:.6g}, {self.gain:.4g} times that of the start>"
 
 
-class Fit(_Found):
+class Fit(Found):
     """The parameters of a measured curve; :func:`fit` makes one.
 
     Attributes
@@ -80,9 +72,13 @@ class Fit(_Found):
         The scene with the parameters that were found.
     """
 
-    def __init__(self, summary: Mapping[str, Any], scene: Scene) -> None:
-        super().__init__(summary)
+    def __init__(self, native: _native.Found | None, summary: Mapping[str, Any], scene: Scene) -> None:
+        super().__init__(native, summary)
         self.scene = scene
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Every number; what is read again cannot be saved."""
+        return type(self), (None, self._found, self.scene)
 
     @property
     def end(self) -> str:
@@ -106,7 +102,7 @@ class Fit(_Found):
         return f"<Fit: {self.end}, {values}>"
 
 
-class Uncertainty(_Found):
+class Uncertainty(Found):
     """What distributions of keys make of the results; :func:`uncertainty` makes one."""
 
     def __repr__(self) -> str:
@@ -134,8 +130,9 @@ def optimise(scene: Scene) -> Optimum:
     ComputationError
         Where no design could be computed.
     """
-    summary, best = _native.optimise(scene._native)
-    return Optimum(json.loads(summary), None if best is None else Scene.from_toml(best, scene.name))
+    found = _native.optimise(scene._native)
+    best = None if found.scene is None else Scene.from_toml(found.scene, scene.name)
+    return Optimum(found, Optimum._read(found), best)
 
 
 def fit(
@@ -178,12 +175,12 @@ def fit(
             raise TypeError(
                 "`force` and `error` are columns of the file; give arrays in place of the file, or the file alone"
             )
-        summary, fitted = _native.fit(scene._native, os.fspath(data), None)
+        native = _native.fit(scene._native, os.fspath(data), None)
     else:
         if force is None:
             raise TypeError("`force` is missing: give displacements and forces, or the path of a file with both")
-        summary, fitted = _native.fit(scene._native, "data", _points(data, force, error))
-    found = Fit(json.loads(summary), Scene.from_toml(fitted, scene.name))
+        native = _native.fit(scene._native, "data", _points(data, force, error))
+    found = Fit(native, Fit._read(native), Scene.from_toml(native.scene or "", scene.name))
     if found.end != "converged":
         reason = found.summary()["reason"]
         warnings.warn(f"the search for the best parameters stopped short: {reason}", ComputationWarning, stacklevel=2)
@@ -238,8 +235,8 @@ def uncertainty(scene: Scene) -> Uncertainty:
     SceneError
         Where the scene does not say what is uncertain.
     """
-    summary, short = _native.uncertainty(scene._native)
-    found = Uncertainty(json.loads(summary))
-    if short:
-        warnings.warn(f"{short} samples stopped short; `summary()` says why", ComputationWarning, stacklevel=2)
-    return found
+    native = _native.uncertainty(scene._native)
+    if native.short is not None:
+        samples = native.short.splitlines()[0]
+        warnings.warn(f"{samples} stopped short; `summary()` says why", ComputationWarning, stacklevel=2)
+    return Uncertainty(native, Uncertainty._read(native))

@@ -1,9 +1,9 @@
-"""The points of a path as arrays."""
+"""The points of a path or of a pull as arrays."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +13,53 @@ if TYPE_CHECKING:
 
     from . import _native
 
-__all__ = ["Curve"]
+__all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve"]
+
+class Columns(Mapping[str, NDArray[Any]]):
+    """The columns of a table: an array a column, an item a row. A column is an attribute as well."""
+
+    def __init__(self, columns: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> None:
+        self._columns = dict(columns)
+        self._units = dict(units)
+        self.__dict__.update(self._columns)
+
+    def __getitem__(self, column: str) -> NDArray[Any]:
+        """A column by its name."""
+        return self._columns[column]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names of the columns, in the order of the file."""
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        """How many columns."""
+        return len(self._columns)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        """Return a row a point and a column a name, in the order of the names.
+
+        Raises
+        ------
+        ValueError
+            Where no copy is allowed: the columns do not lie beside each other.
+        """
+        if copy is False:
+            raise ValueError("the columns of a curve are arrays of their own: an array of all of them is a copy")
+        return np.column_stack([np.asarray(column, dtype=dtype or np.float64) for column in self._columns.values()])
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Return a table with the columns of the file, units in their names; pandas has to be installed."""
+        import pandas
+
+        named = {f"{name}_{self._units[name]}".rstrip("_"): column for name, column in self.items()}
+        return pandas.DataFrame(named)
+
+    def __repr__(self) -> str:
+        """Columns and length."""
+        return f"<{type(self).__name__} of {len(next(iter(self.values()), ()))} points: {', '.join(self)}>"
 
 
-class Curve(Mapping[str, NDArray[Any]]):
+class Curve(Columns):
     """The columns of ``curve.csv``: an array a column, an item a path point.
 
     A column is an attribute as well: ``curve.force`` is ``curve["force"]``.
@@ -55,45 +98,82 @@ class Curve(Mapping[str, NDArray[Any]]):
     reaction_across: NDArray[np.float64]
     reaction_lateral: NDArray[np.float64]
 
-    def __init__(self, columns: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> None:
-        self._columns = dict(columns)
-        self._units = dict(units)
-        self.__dict__.update(self._columns)
 
-    def __getitem__(self, column: str) -> NDArray[Any]:
-        """A column by its name."""
-        return self._columns[column]
+class PullOffCurve(Columns):
+    """The columns of ``curve.csv`` of the pull-off of a seta: an array a column, an item a stable equilibrium.
 
-    def __iter__(self) -> Iterator[str]:
-        """The names of the columns, in the order of ``curve.csv``."""
-        return iter(self._columns)
+    Attributes
+    ----------
+    step : ndarray of int64
+        Number of the step, from 1.
+    displacement, travel : ndarray of float64
+        How far the root has moved in the step, and over all steps, nm.
+    force : ndarray of float64
+        On the root along the step, nN: positive where it is pulled.
+    tips_attached : ndarray of int64
+        Tips that adhere.
+    root_x, root_y, root_z : ndarray of float64
+        Where the root is, nm.
+    force_x, force_y, force_z, moment_x, moment_y, moment_z : ndarray of float64
+        On the root, nN and nN nm.
+    energy, work, released : ndarray of float64
+        Stored and of adhesion; of the root from the start; at events, aJ.
+    """
 
-    def __len__(self) -> int:
-        """How many columns."""
-        return len(self._columns)
+    step: NDArray[np.int64]
+    displacement: NDArray[np.float64]
+    travel: NDArray[np.float64]
+    force: NDArray[np.float64]
+    tips_attached: NDArray[np.int64]
+    root_x: NDArray[np.float64]
+    root_y: NDArray[np.float64]
+    root_z: NDArray[np.float64]
+    force_x: NDArray[np.float64]
+    force_y: NDArray[np.float64]
+    force_z: NDArray[np.float64]
+    moment_x: NDArray[np.float64]
+    moment_y: NDArray[np.float64]
+    moment_z: NDArray[np.float64]
+    energy: NDArray[np.float64]
+    work: NDArray[np.float64]
+    released: NDArray[np.float64]
 
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        """Return a row a point and a column a name, in the order of the names.
 
-        Raises
-        ------
-        ValueError
-            Where no copy is allowed: the columns do not lie beside each other.
-        """
-        if copy is False:
-            raise ValueError("the columns of a curve are arrays of their own: an array of all of them is a copy")
-        return np.column_stack([np.asarray(column, dtype=dtype or np.float64) for column in self._columns.values()])
+class RateCurve(Columns):
+    """The columns of ``curve.csv`` of a pull at a rate: an array a column, an item a step in time.
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """Return a table with the columns of ``curve.csv``, units in their names; pandas has to be installed."""
-        import pandas
+    Attributes
+    ----------
+    time : ndarray of float64
+        Since the pull began, s.
+    displacement, force : ndarray of float64
+        Of what pulls, nm and nN.
+    front : ndarray of float64
+        S of the peeling front of a beam, nm. Absent of a seta.
+    tips_attached : ndarray of int64
+        Tips of a seta that adhere. Absent of a beam, as the next two.
+    tip_forces, released : ndarray of float64
+        Sum of the forces of the tips along the pull, nN, and what events have released, aJ.
+    work, stored, adhesion, spring, kinetic, dissipated : ndarray of float64
+        Work of what pulls, and what becomes of it, aJ.
+    """
 
-        named = {f"{name}_{self._units[name]}".rstrip("_"): column for name, column in self.items()}
-        return pandas.DataFrame(named)
+    time: NDArray[np.float64]
+    displacement: NDArray[np.float64]
+    force: NDArray[np.float64]
+    front: NDArray[np.float64]
+    tips_attached: NDArray[np.int64]
+    tip_forces: NDArray[np.float64]
+    released: NDArray[np.float64]
+    work: NDArray[np.float64]
+    stored: NDArray[np.float64]
+    adhesion: NDArray[np.float64]
+    spring: NDArray[np.float64]
+    kinetic: NDArray[np.float64]
+    dissipated: NDArray[np.float64]
 
-    def __repr__(self) -> str:
-        """Columns and length."""
-        return f"<Curve of {len(self.displacement)} points: {', '.join(self)}>"
+
+_Kind = TypeVar("_Kind", bound=Columns)
 
 
 def arrays(columns: Iterable[_native.Column]) -> dict[str, NDArray[Any]]:
@@ -104,7 +184,7 @@ def arrays(columns: Iterable[_native.Column]) -> dict[str, NDArray[Any]]:
     }
 
 
-def of_columns(columns: Iterable[_native.Column]) -> Curve:
-    """The curve of these columns."""
+def of_columns(kind: type[_Kind], columns: Iterable[_native.Column]) -> _Kind:
+    """The table of this kind with these columns."""
     found = list(columns)
-    return Curve(arrays(found), {name: unit for name, unit, _, _ in found})
+    return kind(arrays(found), {name: unit for name, unit, _, _ in found})

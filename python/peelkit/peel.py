@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import copy
 import json
+import os
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _native, curve
@@ -49,7 +51,7 @@ class Peel:
     @cached_property
     def curve(self) -> Curve:
         """The path points as arrays: the columns of ``curve.csv``."""
-        return curve.of_columns(self._native.curve())
+        return curve.of_columns(Curve, self._native.curve())
 
     @property
     def end(self) -> str:
@@ -150,6 +152,23 @@ class Peel:
             Where they could not be computed.
         """
         return of_peel(self._native)
+
+    def save(self, folder: str | os.PathLike[str], replace: bool = False) -> list[Path]:
+        """Write the files of ``peel run`` to a folder: all of them, or none.
+
+        Parameters
+        ----------
+        folder : str or path
+            Made if it is missing.
+        replace : bool, optional
+            Whether files of the same names are replaced; else a folder that holds something is refused.
+
+        Returns
+        -------
+        list of Path
+            The files.
+        """
+        return [Path(file) for file in self._native.save(os.fspath(folder), "peelkit: Scene.run()", replace)]
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Plot the force against the displacement; what is unstable under displacement control is dashed.

@@ -9,10 +9,11 @@ import numpy as np
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .curve import Columns
     from .observed import Test
     from .peel import Peel
 
-__all__ = ["curve", "test"]
+__all__ = ["curve", "pull", "test"]
 
 # intervals between two path points
 _INTERVALS = 8
@@ -35,6 +36,15 @@ def test(test: Test, ax: Axes | None, style: dict[str, Any]) -> Axes:
         (line,) = ax.plot(test.machine_displacement[on], test.force[on], **{"linestyle": dash, **style})
         style = {**style, "color": line.get_color(), "label": "_nolegend_"}
     ax.set_xlabel("displacement of the machine (nm)")
+    ax.set_ylabel("force P (nN)")
+    return ax
+
+
+def pull(columns: Columns, ax: Axes | None, style: dict[str, Any]) -> Axes:
+    """The force against how far the root, or what pulls, has come."""
+    ax = _axes(ax)
+    ax.plot(columns["travel"] if "travel" in columns else columns["displacement"], columns["force"], **style)
+    ax.set_xlabel("displacement (nm)")
     ax.set_ylabel("force P (nN)")
     return ax
 

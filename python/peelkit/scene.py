@@ -6,7 +6,7 @@ import os
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from . import _native
 from ._native import Scene as NativeScene
@@ -15,9 +15,13 @@ from .errors import ComputationWarning, SceneError, cut_by
 from .observed import Test
 from .path import Path as EquilibriumPath
 from .peel import Peel
+from .pulls import PullAtRate, PullOff
 from .sensitivity import Sensitivity
+from .tip_law import TipLaw
 
 __all__ = ["Scene"]
+
+_Run = TypeVar("_Run", Peel, PullOff, PullAtRate)
 
 
 class Scene:
@@ -142,14 +146,16 @@ class Scene:
         """Return every key with its value as a text that reads as the same scene, to the last bit."""
         return self._native.to_toml()
 
-    def run(self) -> Peel:
-        """Compute the whole path of equilibria, with its limit points and their error bounds, as ``peel run`` does.
+    def run(self) -> Peel | Any:
+        """Compute what the scene describes, as ``peel run`` does.
 
-        The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
+        Of a beam that is the whole path of equilibria, with its limit points and their error bounds. Of a scene with a table
+        ``seta`` it is :meth:`pull_off`, and of one with a table ``time`` :meth:`pull_at_rate`: call these where types are
+        checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
 
         Returns
         -------
-        Peel
+        Peel, PullOff or PullAtRate
             What was reached, also where the computation stopped short: then its `end` is ``"failed"``, and where the model
             has no stable state at rest ``"refused"``.
 
@@ -159,12 +165,86 @@ class Scene:
             Where it stopped short, and where a bound of the scene cut the path. A path that was followed as far as
             ``path.until`` asks for is whole.
         """
-        peel = Peel(self._native.run(), self)
-        if (cut := cut_by(peel.end, peel.reason)) is not None:
-            warnings.warn(f"the path goes on: {cut}", ComputationWarning, stacklevel=2)
-        if peel.end in ("failed", "refused"):
-            warnings.warn(f"the computation stopped short: {peel.reason}", ComputationWarning, stacklevel=2)
-        return peel
+        if self._native.subject == "seta":
+            return self._warned(PullOff._of(_native.pull_off(self._native)))
+        if self._native.subject == "rate":
+            return self._warned(PullAtRate._of(_native.pull_at_rate(self._native)))
+        return self._warned(Peel(self._native.run(), self))
+
+    @staticmethod
+    def _warned(found: _Run) -> _Run:
+        """The result, with a warning where it stopped short of its end."""
+        if (cut := cut_by(found.end, found.reason)) is not None:
+            warnings.warn(f"the path goes on: {cut}", ComputationWarning, stacklevel=3)
+        if found.end in ("failed", "refused"):
+            warnings.warn(f"the computation stopped short: {found.reason}", ComputationWarning, stacklevel=3)
+        return found
+
+    def pull_off(self) -> PullOff:
+        """Compute the pull-off of the seta of the scene, as ``peel run`` does: see :meth:`run`.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no seta, or is pulled at a rate.
+        ComputationError
+            Where nothing could be computed: no law of the tips, say.
+        """
+        if self._native.subject != "seta":
+            raise SceneError("the scene has no seta in equilibrium", "Give it a table `seta`, and none `time`.")
+        return self._warned(PullOff._of(_native.pull_off(self._native)))
+
+    def pull_at_rate(self) -> PullAtRate:
+        """Compute the pull of the scene at its rate, of a beam or of a seta, as ``peel run`` does: see :meth:`run`.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no rate, or cannot be pulled at it.
+        ComputationError
+            Where the pull has no beginning.
+        """
+        if self._native.subject != "rate":
+            raise SceneError("the scene is not pulled at a rate", "Give it a table `time`.")
+        return self._warned(PullAtRate._of(_native.pull_at_rate(self._native)))
+
+    def coarsen(
+        self,
+        tolerance: float = 1e-3,
+        press: float | None = None,
+        lateral: tuple[float, float] | None = None,
+        rotation: tuple[float, float] | None = None,
+    ) -> TipLaw:
+        """Compute the law of a tip of a seta from the spatula of the scene, as ``peel coarsen`` does.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            Error wanted of forces and moment, relative to the largest.
+        press : float, optional
+            How far the tip is pressed, nm; 50 nm when absent, and 5 nm where the pad is held.
+        lateral, rotation : pair of floats, optional
+            Ranges of v, nm, of a pad that is held, and of θ, rad.
+
+        Returns
+        -------
+        TipLaw
+            The table; its `save` writes it for ``seta.tip_table``.
+
+        Warns
+        -----
+        ComputationWarning
+            Where the table is not as accurate as asked.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no such law.
+        """
+        native = _native.coarsen(self._native, tolerance, press, lateral, rotation)
+        if native.short is not None:
+            warnings.warn(native.short, ComputationWarning, stacklevel=2)
+        return TipLaw(native, TipLaw._read(native))
 
     def test(self) -> Test:
         """Compute what a machine that holds the displacement would record, as ``peel run --observed`` does.
@@ -190,7 +270,7 @@ class Scene:
 
         The same as ``scene.run().sensitivities()``.
         """
-        return self.run().sensitivities()
+        return self._warned(Peel(self._native.run(), self)).sensitivities()
 
     def path(self, elements: int = 16, step_tolerance: float = 1.2e-2) -> EquilibriumPath:
         """Return the path of equilibria as an iterator that computes a point when it is asked for one.

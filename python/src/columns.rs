@@ -9,12 +9,17 @@ pub type Column = (String, String, &'static str, Py<PyAny>);
 
 /// The columns of records, in the order of their table.
 pub fn of_records<R: Record>(py: Python, rows: impl Iterator<Item = R>) -> PyResult<Vec<Column>> {
+    of_cells(py, columns_of(rows))
+}
+
+/// Columns by the names of their table.
+pub fn of_cells(py: Python, columns: Vec<(String, Vec<Cell>)>) -> PyResult<Vec<Column>> {
     let column = |(name, cells): (String, Vec<Cell>)| {
         let (kind, memory) = array(py, &cells)?;
         let (name, unit) = without_unit(&name);
         Ok((name.to_owned(), unit.to_owned(), kind, memory.unbind()))
     };
-    columns_of(rows).into_iter().map(column).collect()
+    columns.into_iter().map(column).collect()
 }
 
 fn array<'py>(py: Python<'py>, cells: &[Cell]) -> PyResult<(&'static str, Bound<'py, PyAny>)> {

@@ -1,6 +1,7 @@
 //! Ctrl-C: Python hears signals in its main thread alone, and only where it is asked.
 
 use peelkit::study::{StopCriteria, StopReason};
+use peelkit_analyses::Watcher;
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -87,6 +88,16 @@ impl Watch {
     /// Raises what a signal handler has raised.
     pub fn end(&self) -> PyResult<()> {
         self.0.raised.lock().unwrap_or_else(PoisonError::into_inner).take().map_or(Ok(()), Err)
+    }
+}
+
+impl Watcher for Watch {
+    fn ends(&self, stop: StopCriteria) -> StopCriteria {
+        self.on(stop)
+    }
+
+    fn asked(&self) -> bool {
+        self.interrupted()
     }
 }
 

@@ -7,6 +7,7 @@
 mod analyses;
 mod columns;
 mod errors;
+mod found;
 mod interrupt;
 mod keys;
 mod path;
@@ -20,7 +21,9 @@ mod test;
 #[pyo3::pymodule(name = "_native")]
 mod native {
     #[pymodule_export]
-    use crate::analyses::{fit, optimise, uncertainty};
+    use crate::analyses::{coarsen, fit, optimise, pull_at_rate, pull_off, uncertainty};
+    #[pymodule_export]
+    use crate::found::NativeFound;
     #[pymodule_export]
     use crate::keys::{keys, takes};
     #[pymodule_export]

@@ -46,7 +46,7 @@ type Point = (f64, f64, f64, usize, usize, usize);
 #[pyfunction]
 pub fn path(py: Python, scene: &NativeScene, elements: usize, step_tolerance: f64) -> PyResult<NativePath> {
     let options = PathOptions { elements, step_tolerance, ..PathOptions::default() };
-    let scene = &scene.source.scene;
+    let scene = scene.source.of_peel(py)?;
     scene.check().map_err(|error| refused(py, format!("`{}` {}", error.key(), error.found()), &error.remedy()))?;
     let model = scene.model.in_the_plane().unwrap_or_else(|| scene.model.clone());
     let (accuracy, bounds) = (scene.accuracy, scene.bounds);

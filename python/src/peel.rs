@@ -2,10 +2,12 @@
 
 use crate::columns::{Column, counts, floats, of_records};
 use crate::errors::other;
+use crate::found::save;
 use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
 use peelkit::study::{self, PathEnd, Peel, PeelResult};
+use peelkit_analyses::PeelOutcome;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
 use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
 use peelkit_scene::BoundsTable;
@@ -13,14 +15,14 @@ use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes};
 use serde::{Deserialize, Serialize};
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 /// The whole path of a scene with what was located on it.
 #[pyclass(name = "Peel", module = "peelkit._native", frozen)]
 pub struct NativePeel {
     source: Arc<Source>,
-    peel: Peel,
+    peel: Arc<Peel>,
     solve_s: f64,
     /// summary.json, once it was asked for
     summary: OnceLock<String>,
@@ -32,7 +34,7 @@ enum Solutions {
     /// Of the run itself
     Computed,
     /// Not kept: computed again where they are asked for
-    Dropped(OnceLock<Box<Peel>>),
+    Dropped(OnceLock<Arc<Peel>>),
 }
 
 /// What is kept of a result but its scene. The solutions behind the points are not: they follow from the scene.
@@ -47,7 +49,7 @@ struct Kept<P> {
 impl NativePeel {
     /// Of a run that took so many seconds.
     pub fn new(source: Arc<Source>, peel: Peel, solve_s: f64) -> Self {
-        Self { source, peel, solve_s, summary: OnceLock::new(), solutions: Solutions::Computed }
+        Self { source, peel: Arc::new(peel), solve_s, summary: OnceLock::new(), solutions: Solutions::Computed }
     }
 
     /// The scene that was run.
@@ -56,7 +58,7 @@ impl NativePeel {
     }
 
     /// The peel with the solutions behind its points: one that was stored is run again, which gives every bit of it.
-    pub fn with_solutions(&self, py: Python) -> PyResult<&Peel> {
+    pub fn with_solutions(&self, py: Python) -> PyResult<&Arc<Peel>> {
         let again = match &self.solutions {
             Solutions::Computed => return Ok(&self.peel),
             Solutions::Dropped(again) => again,
@@ -65,7 +67,7 @@ impl NativePeel {
             return Ok(peel);
         }
         let peel = self.run_again(py)?;
-        Ok(again.get_or_init(|| Box::new(peel)))
+        Ok(again.get_or_init(|| Arc::new(peel)))
     }
 
     fn run_again(&self, py: Python) -> PyResult<Peel> {
@@ -116,13 +118,13 @@ impl NativePeel {
         let Kept { peel, solve_s, summary, .. } =
             postcard::from_bytes::<Kept<Peel>>(kept).map_err(|error| unreadable(error.to_string()))?;
         let solutions = Solutions::Dropped(OnceLock::new());
-        Ok(Self { source: scene.source.clone(), peel, solve_s, summary: summary.into(), solutions })
+        Ok(Self { source: scene.source.clone(), peel: Arc::new(peel), solve_s, summary: summary.into(), solutions })
     }
 
     /// The result as bytes, every bit of its numbers.
     fn kept<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
         let summary = self.summary_text(py)?.to_owned();
-        let kept = Kept { version: VERSION.to_owned(), peel: &self.peel, solve_s: self.solve_s, summary };
+        let kept = Kept { version: VERSION.to_owned(), peel: &*self.peel, solve_s: self.solve_s, summary };
         let bytes = postcard::to_stdvec(&kept).map_err(|error| {
             other(py, format!("the result cannot be stored: {error}"), "Keep `summary()` and `curve` in its place.")
         })?;
@@ -154,7 +156,7 @@ impl NativePeel {
 
     /// The row of sweep.csv as the text of an object, but for the value of the sweep.
     fn row(&self, py: Python) -> PyResult<String> {
-        let found = PeelResult::from(&self.peel);
+        let found = PeelResult::from(&*self.peel);
         SweepLine::new(0.0, None, &found, self.solve_s).to_json().map_err(|error| unwritten(py, "row", error))
     }
 
@@ -172,6 +174,12 @@ impl NativePeel {
         let peel = self.with_solutions(py)?;
         let states = py.detach(|| peel.states(count));
         states.iter().map(|state| states::handed(py, state)).collect()
+    }
+
+    /// Writes the files of `peel run` to a folder; where each is.
+    fn save(&self, py: Python, folder: PathBuf, command: &str, replace: bool) -> PyResult<Vec<PathBuf>> {
+        let outcome = PeelOutcome::of(Arc::clone(self.with_solutions(py)?), self.solve_s);
+        save(py, (&outcome, &self.source.scene), &folder, command, replace)
     }
 
     /// The picture of the curve as SVG.

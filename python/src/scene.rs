@@ -5,7 +5,7 @@ use crate::interrupt::Watch;
 use crate::peel::NativePeel;
 use peelkit::study::{self, Checkpoint};
 use peelkit_report::timed;
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SceneError};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -23,11 +23,36 @@ pub struct Source {
     overrides: Vec<(String, String)>,
 }
 
+/// What reads some scenes, and refuses others.
+type Parse = fn(&str, &str, &[(String, String)]) -> Result<Scene, SceneError>;
+
 impl Source {
     /// Reads and checks a scene.
     fn read(py: Python, name: &str, text: String, overrides: Vec<(String, String)>) -> PyResult<NativeScene> {
-        let scene = Scene::parse(name, &text, &overrides).map_err(|error| scene_error(py, &error))?;
+        let scene = Scene::parse_any(name, &text, &overrides).map_err(|error| scene_error(py, &error))?;
         Ok(NativeScene { source: Arc::new(Self { scene, text, overrides }) })
+    }
+
+    /// The scene of a peel: one with a seta, or with a rate, is refused.
+    pub fn of_peel(&self, py: Python) -> PyResult<&Scene> {
+        match (&self.scene.seta, &self.scene.time) {
+            (None, None) => Ok(&self.scene),
+            _ => self.read_again(py, Scene::parse),
+        }
+    }
+
+    /// The scene of equilibria: one with a rate is refused.
+    pub fn without_rate(&self, py: Python) -> PyResult<&Scene> {
+        match &self.scene.time {
+            None => Ok(&self.scene),
+            Some(_) => self.read_again(py, Scene::parse_with_seta),
+        }
+    }
+
+    /// The scene, which is refused where `parse` refuses its text.
+    fn read_again(&self, py: Python, parse: Parse) -> PyResult<&Scene> {
+        let again = parse(&self.scene.name, &self.text, &self.overrides);
+        again.map(|_| &self.scene).map_err(|error| scene_error(py, &error))
     }
 }
 
@@ -71,10 +96,20 @@ impl NativeScene {
         self.source.scene.to_toml()
     }
 
+    /// What a run of it computes: "peel", "seta", or "rate".
+    #[getter]
+    fn subject(&self) -> &'static str {
+        match (&self.source.scene.time, &self.source.scene.seta) {
+            (Some(_), _) => "rate",
+            (None, Some(_)) => "seta",
+            (None, None) => "peel",
+        }
+    }
+
     /// The whole peel, computed without the interpreter.
     fn run(&self, py: Python) -> PyResult<NativePeel> {
+        let scene = self.source.of_peel(py)?;
         let (source, watch) = (self.source.clone(), Watch::begin());
-        let scene = &source.scene;
         let (peel, solve_s) = py.detach(|| {
             let stop = watch.on(scene.bounds.from_now());
             timed(|| study::peel_on(&scene.model, &scene.accuracy, &stop, &Checkpoint::NOTHING))

@@ -21,7 +21,7 @@ pub struct NativeTest {
 #[pyfunction]
 pub fn test(py: Python, scene: &NativeScene) -> PyResult<NativeTest> {
     let (source, watch) = (scene.source.clone(), Watch::begin());
-    let scene = &source.scene;
+    let scene = source.of_peel(py)?;
     let (found, solve_s) = py.detach(|| {
         let stop = watch.on(scene.bounds.from_now());
         timed(|| observed(&scene.model, &scene.accuracy, &stop))

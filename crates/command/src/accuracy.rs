@@ -43,7 +43,7 @@ pub fn accuracy(args: &Accuracy) -> Result<(), Stop> {
         let stem = args.path.as_ref().and_then(|path| path.file_stem()).map(|stem| stem.to_string_lossy().into_owned());
         default_folder(Path::new("accuracy"), stem.as_slice(), &args.overrides)
     });
-    let folder = args.out.claim(&folder)?;
+    let folder = args.out.claim(&folder, None)?;
     let bar = progress_bar(0);
     let measured = work_precision(&scene.model, &scene.bounds, &|lines| {
         bar.set_length(lines as u64);

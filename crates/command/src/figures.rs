@@ -20,7 +20,7 @@ pub fn figures(args: &Figures) -> Result<(), Stop> {
     let folder = args.out.out.as_deref().unwrap_or(Path::new("figures"));
     let folder = match holds_figures(folder) {
         true => OutputFolder::claim(folder, Existing::Replace)?,
-        false => args.out.claim(folder)?,
+        false => args.out.claim(folder, None)?,
     };
     let bar = progress_bar(0);
     let progress = |done, total| {

@@ -14,23 +14,30 @@ const GRACE: Duration = Duration::from_millis(200);
 /// Whether the user, or the system that shuts down, has asked to stop, and when what is being computed heard of it.
 pub struct Interrupt {
     asked: Arc<AtomicBool>,
+    /// Whether the first Ctrl-C quits
+    quits: Arc<AtomicBool>,
     heard: Arc<OnceLock<Instant>>,
 }
 
 impl Interrupt {
     /// Listens from now on; `answer` reports to the user what the first Ctrl-C does.
     pub fn listen(answer: impl Fn() + Send + 'static) -> Self {
-        let asked = Arc::new(AtomicBool::new(false));
-        let seen = Arc::clone(&asked);
+        let interrupt = Self::deaf();
+        let (seen, quits) = (Arc::clone(&interrupt.asked), Arc::clone(&interrupt.quits));
         let heard = move || {
-            if seen.swap(true, Ordering::Relaxed) {
+            if quits.load(Ordering::Relaxed) || seen.swap(true, Ordering::Relaxed) {
                 std::process::exit(QUIT);
             }
             answer();
         };
         // Fails where the caller has one of the signals ignored, as nohup does: then they stay as they are.
         let _ = ctrlc::try_set_handler(heard);
-        Self { asked, heard: Arc::default() }
+        interrupt
+    }
+
+    /// Hears nothing: Ctrl-C ends the command.
+    pub fn deaf() -> Self {
+        Self { asked: Arc::default(), quits: Arc::default(), heard: Arc::default() }
     }
 
     pub fn asked(&self) -> bool {
@@ -48,8 +55,9 @@ impl Interrupt {
         })
     }
 
-    /// From now on the first Ctrl-C quits as well; whether there was one before.
+    /// From now on the first Ctrl-C quits; whether there was one before, which does not end what comes.
     pub fn quit_next(&self) -> bool {
-        self.asked.swap(true, Ordering::Relaxed)
+        self.quits.store(true, Ordering::Relaxed);
+        self.asked.swap(false, Ordering::Relaxed)
     }
 }

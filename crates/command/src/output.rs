@@ -3,7 +3,7 @@
 use crate::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use peelkit_report::{Existing, OutputFolder, PartialFile, ReportError};
+use peelkit_report::{Existing, OutputFolder, ReportError};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -24,28 +24,22 @@ pub struct OutArgs {
 }
 
 impl OutArgs {
-    /// The folder, if it may be written to; to be asked before anything is computed.
-    pub fn claim(&self, folder: &Path) -> Result<OutputFolder, ReportError> {
-        OutputFolder::claim(folder, self.existing())
+    /// The folder, if it may be written to; to be asked before anything is computed. One that holds the checkpoint of an unfinished command, which has
+    /// this name, is one to go on with.
+    pub fn claim(&self, folder: &Path, checkpoint: Option<&'static str>) -> Result<OutputFolder, ReportError> {
+        match checkpoint {
+            Some(checkpoint) => OutputFolder::claim_with_checkpoint(folder, self.existing(), checkpoint),
+            None => OutputFolder::claim(folder, self.existing()),
+        }
     }
 
-    /// The checkpoint of a command in its folder, and that folder: one that holds a checkpoint is one to go on with. What is damaged of it is said on
-    /// standard error.
-    pub fn claim_unfinished<P: PartialFile>(
-        &self,
-        folder: &Path,
-        fresh: bool,
-        open: impl FnOnce(&Path) -> Result<P, ReportError>,
-    ) -> Result<(P, OutputFolder), ReportError> {
-        let output = OutputFolder::claim_with_checkpoint(folder, self.existing(), P::NAME)?;
-        if fresh {
-            P::discard(folder)?;
+    /// Where files go, if they are written: to `usual` where the user names no folder, and nowhere where one JSON object is asked for then.
+    pub fn folder(&self, json: bool, usual: impl FnOnce() -> PathBuf) -> Option<PathBuf> {
+        match &self.out {
+            None if json => None,
+            None => Some(usual()),
+            given => given.clone(),
         }
-        let partial = open(folder)?;
-        if let Some(damaged) = partial.damaged() {
-            warn(damaged);
-        }
-        Ok((partial, output))
     }
 
     fn existing(&self) -> Existing {

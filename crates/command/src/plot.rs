@@ -74,7 +74,7 @@ pub fn plot(args: &Plot) -> Result<(), Stop> {
         Kind::Curve => "Force against displacement".into(),
         Kind::Sweep => "Peak force".into(),
     });
-    let folder = args.out.claim(args.out.out.as_deref().unwrap_or(Path::new("out/plot")))?;
+    let folder = args.out.claim(args.out.out.as_deref().unwrap_or(Path::new("out/plot")), None)?;
     let files = folder.write(|dir| draw_overlay(&results, &measured, &title, [args.log_x, args.log_y], dir));
     say(&list_files(&files))?;
     files?;

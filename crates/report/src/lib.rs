@@ -52,7 +52,7 @@ pub use pictures::{
 pub use pull_row::PullRow;
 pub use rate::{
     Contact, Equilibria, PointAtRate, PulledAtRate, RateFound, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
-    draw_swept_rates, write_rate_curve, write_swept_rates,
+    draw_swept_rates, rate_columns, write_rate_curve, write_swept_rates,
 };
 pub use record::{Bounded, Cell, Content, Fields, Object, Record, columns_of};
 pub use records::{
@@ -65,9 +65,9 @@ pub use records::{
 pub use reference::{Output, OutputKey, Reference, merged, paths, without_unit};
 pub use seta::{
     SETA_STATE_FIELDS, SetaFound, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
-    draw_swept_setae, seta_end_reason, seta_end_word, tip_peak, write_seta_animation, write_seta_curve,
-    write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states, write_swept_setae,
-    write_tip_curve, write_tips,
+    draw_swept_setae, pull_off_columns, seta_end_reason, seta_end_word, tip_peak, write_seta_animation,
+    write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states,
+    write_swept_setae, write_tip_curve, write_tips,
 };
 pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
 pub use sweep_row::SweepRow;

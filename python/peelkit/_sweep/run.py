@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import SceneError
 from ..scene import Scene
 from .batch import Batch, Table, compute, compute_case
 from .clients import computed, workers
@@ -79,6 +80,11 @@ def sweep(
     >>> found = peelkit.sweep(scene, {"strip.youngs_modulus": [1, 2, 4], "drive.angle": [60, 90]})  # doctest: +SKIP
     >>> found.peak_force.sel({"drive.angle": 90})  # doctest: +SKIP
     """
+    if scene._native.subject != "peel":
+        raise SceneError(
+            "a sweep peels a beam with every value, and this scene has a seta or a rate",
+            "Run `scene.with_(key, value)` for each value, or use `peel sweep`.",
+        )
     grid = Grid.of(scene, varied)
     text, name = scene.to_toml(), scene.name
     kept = _opened(store, Plan(text, name, grid, 1)) if store is not None else None

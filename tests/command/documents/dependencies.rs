@@ -131,7 +131,7 @@ fn no_crate_includes_a_file_from_outside() {
         [("", "src"), ("crates/scene", "crates/scene/src"), ("crates/report", "crates/report/src")]
             .into_iter()
             .chain([("crates/checks", "crates/checks/src"), ("crates/command", "crates/command/src")])
-            .chain([("crates/serve", "crates/serve/src")])
+            .chain([("crates/serve", "crates/serve/src"), ("crates/analyses", "crates/analyses/src")])
     {
         let depth = place(manifest).components().count();
         for path in sources_in(&place(sources)) {

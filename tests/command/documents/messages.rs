@@ -11,6 +11,9 @@ const MARKS: [&str; 10] = [
     "ValueError::new(",
     "bad_input(",
     "cut_short(",
+    "Refusal::asked(",
+    "Refusal::scene(",
+    "CutShort(",
     "Stop::other(",
     "OverlayError::new(path,",
     "OverlayError::new(&table,",
@@ -21,10 +24,17 @@ const MARKS: [&str; 10] = [
 
 /// The files of the code, without those of tests.
 fn sources() -> Vec<PathBuf> {
-    let mut folders: Vec<PathBuf> =
-        ["src", "crates/scene/src", "crates/report/src", "crates/serve/src", "crates/command/src", "python/src"]
-            .map(super::place)
-            .to_vec();
+    let mut folders: Vec<PathBuf> = [
+        "src",
+        "crates/scene/src",
+        "crates/report/src",
+        "crates/serve/src",
+        "crates/command/src",
+        "crates/analyses/src",
+        "python/src",
+    ]
+    .map(super::place)
+    .to_vec();
     let mut files = Vec::new();
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(folder).unwrap() {

@@ -169,7 +169,20 @@ fn a_sweep_that_has_changed_nothing_says_so() {
 #[test]
 fn help_in_layers() {
     let dir = bench();
-    for command in ["run", "sweep", "collect", "plot", "accuracy", "verify", "new", "keys", "figures", "schema", "completions", "man"] {
+    for command in [
+        "run",
+        "sweep",
+        "collect",
+        "plot",
+        "accuracy",
+        "verify",
+        "new",
+        "keys",
+        "figures",
+        "schema",
+        "completions",
+        "man",
+    ] {
         let help = peel(dir.path(), &[command, "-h"]).stdout;
         let (lines, widest) = (help.lines().count(), help.lines().map(|line| line.chars().count()).max());
         assert!(lines <= 24, "{command} -h has {lines} lines");

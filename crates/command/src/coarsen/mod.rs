@@ -3,24 +3,16 @@
 mod help;
 mod range;
 
-use crate::command_line::command_line;
+use crate::drive::Drive;
 use crate::input::SceneArgs;
-use crate::interrupt::Interrupt;
-use crate::output::{OutArgs, list_files, say};
+use crate::output::OutArgs;
+use crate::progress::Bar;
 use crate::stop::Stop;
 use crate::text_summary;
 use clap::Args;
-use indicatif::ProgressBar;
-use peelkit::model::Hold;
-use peelkit::study::Terms;
-use peelkit::study::coarsening::{Coarsening, CoarseningError, CoarseningOptions, PadEnd, TipTable};
-use peelkit_report::{self as report, ReportError, TipSummary, timed};
+use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
+use peelkit_analyses::TipCoarsening;
 use peelkit_scene::{Dimension, Scene};
-use std::path::{Path, PathBuf};
-use std::time::Duration;
-
-/// What a first Ctrl-C does.
-const ANSWER: &str = "stopping at the next equilibrium of the spatula; Ctrl-C again stops at once";
 
 /// Computes the force law of a tip of a seta from its spatula, as a table with error bounds
 #[derive(Args)]
@@ -56,23 +48,14 @@ pub struct Coarsen {
 }
 
 impl Coarsen {
-    fn folder(&self) -> Option<PathBuf> {
-        match &self.out.out {
-            None if self.json => None,
-            None => Some(self.scene.default_folder(&["tip".to_owned()])),
-            given => given.clone(),
-        }
-    }
-
     /// What is asked of the table of a scene.
     fn options(&self, scene: &Scene) -> Result<CoarseningOptions, Stop> {
-        let pad_end = if scene.model.grip.horizontal == Hold::Fixed { PadEnd::Held } else { PadEnd::Sliding };
-        let mut options = CoarseningOptions { tolerance: self.tolerance, ..CoarseningOptions::of(pad_end) };
+        let mut options = CoarseningOptions { tolerance: self.tolerance, ..TipCoarsening::usual(scene) };
         if let Some(text) = &self.press {
             options.range.press = range::number("--press", text, Dimension::Length)?;
         }
         if let Some(text) = &self.lateral {
-            if pad_end == PadEnd::Sliding {
+            if options.pad_end == PadEnd::Sliding {
                 return Err(Stop::bad_input(
                     "--lateral is of no use: the pad of this scene slides, and v changes nothing",
                     "Omit it, or give --set grip.horizontal=fixed, which holds the free end of the pad.",
@@ -83,61 +66,21 @@ impl Coarsen {
         if let Some(text) = &self.rotation {
             options.range.rotation = range::pair("--rotation", text, Dimension::Angle)?;
         }
-        options.check().map_err(|why| refused(&self.scene.path, &why.into()))?;
         Ok(options)
     }
 }
 
 pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
     let scene = args.scene.load()?;
-    let options = args.options(&scene)?;
-    if scene.accuracy.terms == Terms::Auto {
-        return Err(Stop::bad_input(
-            "the law of a tip takes the model with all of its terms, and the scene has terms = \"auto\"",
-            "Give --set terms=all.",
-        ));
-    }
-    let bar = ProgressBar::new_spinner().with_message("solving the spatula");
-    let above = bar.clone();
-    let interrupt = Interrupt::listen(move || above.println(ANSWER));
-    let stop = interrupt.ends(scene.bounds.from_now());
-    let coarsening = Coarsening::until(&scene.model, &options, &stop);
-    let mut coarsening = coarsening.map_err(|why| refused(&args.scene.path, &why))?;
-    let folder = args.folder().map(|folder| args.out.claim(&folder)).transpose()?;
-    bar.enable_steady_tick(Duration::from_millis(200));
-    let (found, solve_s) = timed(|| coarsening.table());
-    bar.finish_and_clear();
-    let table = found.map_err(|why| refused(&args.scene.path, &why))?;
-    let command = command_line();
-    let summary = TipSummary::new(&scene, &table, solve_s).with_command(&command);
-    let files = folder.map_or(Ok(Vec::new()), |folder| folder.write(|dir| write(dir, &table, &summary, &scene.title)));
-    if args.json {
-        say(&summary.to_json().map_err(Stop::other)?)?;
-    } else {
-        say(&format!("{}\n{}", text_summary::tip(&scene.title, &table, solve_s), list_files(&files)))?;
-    }
-    files?;
-    if table.is_met() {
-        return Ok(());
-    }
-    Err(Stop::cut_short(format!(
-        "the table is not as accurate as asked: its relative error is {:.1e}, and {:.1e} was asked for",
-        table.relative_error(),
-        options.tolerance
-    )))
-}
-
-/// Why there is no table of a scene.
-fn refused(path: &Path, why: &CoarseningError) -> Stop {
-    if let CoarseningError::Stopped { .. } = why {
-        return Stop::cut_short(format!("{why}; nothing is written"));
-    }
-    Stop::bad_input(format!("{}: {why}", path.display()), why.remedy())
-}
-
-fn write(dir: &Path, table: &TipTable, summary: &TipSummary, title: &str) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = vec![summary.write(dir)?];
-    files.extend(report::write_tip_law(dir, table)?);
-    files.extend(report::draw_tip_law(table, title, dir)?);
-    Ok(files)
+    let coarsening = TipCoarsening::of(&scene, args.options(&scene)?).map_err(|why| Stop::refused(&scene, why))?;
+    let drive = Drive {
+        scene: &scene,
+        out: &args.out,
+        folder: args.out.folder(args.json, || args.scene.default_folder(&["tip".to_owned()])),
+        fresh: false,
+        json: args.json,
+        bar: Bar::spinner("solving the spatula"),
+        answer: Some("stopping at the next equilibrium of the spatula; Ctrl-C again stops at once"),
+    };
+    drive.run(&coarsening, |found| text_summary::tip(&scene.title, &found.table, found.seconds))
 }

@@ -2,9 +2,8 @@
 
 use super::parts::Parts;
 use crate::stop::Stop;
-use crate::sweep::cases::{Case, Cases};
-use crate::sweep::failed::place;
 use peelkit::study::PeelResult;
+use peelkit_analyses::{Case, Cases, place};
 use peelkit_report::{Part, SweepPart, SweepRow, SweptKeys};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -8,14 +8,13 @@ mod parts;
 use crate::command_line::joined;
 use crate::output::{OutArgs, list_files, say};
 use crate::stop::Stop;
-use crate::sweep::cases::Cases;
-use crate::sweep::failed::failed_rows;
-use crate::sweep::{files, no_effect};
-use crate::text_summary::{self, UnitsArgs};
+use crate::sweep::table;
+use crate::text_summary::UnitsArgs;
 use clap::Args;
 use merge::Merged;
 use parts::Parts;
-use peelkit_report::{Existing, OutputFolder, PartHeader, PartialCollection, ReportError, SweepSummary};
+use peelkit_analyses::{Cases, Outcome, Rows, SweepOutcome};
+use peelkit_report::{Existing, OutputFolder, PartHeader, PartialCollection, ReportError};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
@@ -43,26 +42,21 @@ pub fn collect(args: &Collect) -> Result<(), Stop> {
     let parts = Parts::read(&args.folders)?;
     let header = parts.header();
     let scene = Scene::parse(&header.name, &header.sweep.scene, &[])?;
-    let cases = Cases::along(&scene, &parts.axes()?, None)?;
+    let cases = Cases::along(&scene, &parts.axes()?, None).map_err(|why| Stop::refused(&scene, why))?;
     let merged = Merged::of(&parts, &cases)?;
-    let (keys, rows) = (cases.keys, merged.rows.as_slice());
+    let (missing, missing_text) = (merged.missing_parts(), merged.missing_text());
+    let found = SweepOutcome::of(&cases, Rows::Peels(merged.rows), merged.remarks);
     let command = command(args, header);
-    let files = match folder(args, header) {
-        Some(folder) => {
-            write(args, &folder, header, &merged, |dir| files::write_all(dir, &scene, &command, &cases, rows))?
-        }
+    let files = match args.out.folder(args.json, || header.folder.clone()) {
+        Some(folder) => write(args, &folder, header, missing, |dir| found.write(&scene, dir, &command))?,
         None => Vec::new(),
     };
-    let mut remarks = merged.remarks.clone();
-    remarks.extend(no_effect::seen(keys, rows));
     if args.json {
-        let summary = SweepSummary::new(&scene, keys, rows, &remarks).with_command(&command);
-        say(&summary.to_json().map_err(Stop::other)?)?;
+        say(&found.json(&scene, Some(&command)).map_err(Stop::other)?)?;
     } else {
-        let text = text_summary::sweep(&scene, keys, rows, &remarks, wanted);
-        say(&format!("{text}\n{}", list_files(&Ok(files))))?;
+        say(&format!("{}\n{}", table(&scene, &found, wanted), list_files(&Ok(files))))?;
     }
-    let short: Vec<String> = merged.missing_text().into_iter().chain(failed_rows(keys, rows)).collect();
+    let short: Vec<String> = missing_text.into_iter().chain(found.failed()).collect();
     if short.is_empty() { Ok(()) } else { Err(Stop::cut_short(short.join("\nand "))) }
 }
 
@@ -75,29 +69,19 @@ fn command(args: &Collect, header: &PartHeader) -> String {
     joined(&words)
 }
 
-/// Where files go, if they are written.
-fn folder(args: &Collect, header: &PartHeader) -> Option<PathBuf> {
-    match &args.out.out {
-        None if args.json => None,
-        None => Some(header.folder.clone()),
-        given => given.clone(),
-    }
-}
-
 /// A folder of the same sweep in which parts were missing is one to go on with; any other that holds something is refused.
 fn write(
     args: &Collect,
     folder: &Path,
     header: &PartHeader,
-    merged: &Merged,
+    missing: Vec<usize>,
     write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let output = if PartialCollection::is_in(folder, &header.sweep) {
         OutputFolder::claim(folder, Existing::Replace)?
     } else {
-        args.out.claim(folder)?
+        args.out.claim(folder, None)?
     };
-    let missing = merged.missing_parts();
     let is_whole = missing.is_empty();
     let files = output.write(|dir| {
         let mut files = write(dir)?;

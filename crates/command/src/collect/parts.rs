@@ -2,7 +2,7 @@
 
 use super::differences::difference;
 use crate::stop::Stop;
-use crate::sweep::axes::Axis;
+use peelkit_analyses::Axis;
 use peelkit_report::{PartHeader, PartialFile, PartialSweep, SweepPart, VERSION};
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};

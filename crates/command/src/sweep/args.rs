@@ -95,10 +95,6 @@ impl Sweep {
 
     /// Where files go, if they are written.
     pub fn folder(&self) -> Option<PathBuf> {
-        match &self.out.out {
-            None if self.json => None,
-            None => Some(self.default_folder(self.part)),
-            given => given.clone(),
-        }
+        self.out.folder(self.json, || self.default_folder(self.part))
     }
 }

@@ -2,25 +2,14 @@
 
 use super::varied::{Parameter, TypedValues};
 use crate::stop::Stop;
+use peelkit_analyses::Axis;
 use peelkit_scene::{KEYS, Key, Scene, ValueError, find_key};
 
-/// A key and its values, in the unit of the library.
-pub struct Axis {
-    pub key: &'static Key,
-    pub values: Vec<f64>,
-    /// Whether the axis of the picture is logarithmic.
-    pub log: bool,
-    /// What a message calls the values.
-    pub origin: String,
-}
-
-impl Axis {
-    /// The axis of a parameter that was typed; each value is right by itself.
-    pub fn of(scene: &Scene, parameter: &Parameter) -> Result<Self, Stop> {
-        let key = key_to_vary(&parameter.path)?;
-        let values = values(scene, key, parameter)?;
-        Ok(Self { key, values, log: parameter.log, origin: among(key, parameter) })
-    }
+/// The axis of a parameter that was typed; each value is right by itself.
+pub fn read(scene: &Scene, parameter: &Parameter) -> Result<Axis, Stop> {
+    let key = key_to_vary(&parameter.path)?;
+    let values = values(scene, key, parameter)?;
+    Ok(Axis { key, values, log: parameter.log, origin: among(key, parameter) })
 }
 
 fn key_to_vary(path: &str) -> Result<&'static Key, Stop> {

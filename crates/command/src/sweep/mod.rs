@@ -1,52 +1,63 @@
 //! `peel sweep`: one number of a scene varied, or two; each value peeled from rest to its end, or one point of the peel followed.
 
 mod args;
-pub mod axes;
-pub mod cases;
-mod conclusion;
-pub mod failed;
-pub mod files;
-mod follow;
-mod kept;
-pub mod no_effect;
+mod axes;
 mod part;
-mod peels;
-mod pulls;
-mod rates;
-mod setae;
 mod varied;
 
 pub use args::Sweep;
 
+use crate::drive::Drive;
+use crate::progress::Bar;
 use crate::stop::Stop;
-use axes::Axis;
-use cases::Cases;
+use crate::text_summary::{self, WantedUnits};
+use peelkit_analyses::{Axis, Cases, Rows, Sweep as Analysis, SweepOutcome};
+use peelkit_report::SweptKeys;
+use peelkit_scene::{Key, Scene};
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = args.scene.load_any()?;
-    if scene.time.is_some() {
-        rates::refuse(args)?;
-    } else if scene.seta.is_some() {
-        setae::refuse(args)?;
-    }
+    let refused = |why| Stop::refused(&scene, why);
+    Analysis::allows(&scene, args.followed().is_some(), args.part.is_some()).map_err(refused)?;
     let wanted = args.units.wanted()?;
     let parameters = args.varied.parameters()?;
-    let axes = parameters.iter().map(|parameter| Axis::of(&scene, parameter));
-    let axes = axes.collect::<Result<Vec<_>, Stop>>()?;
+    let axes = parameters.iter().map(|parameter| axes::read(&scene, parameter));
+    let axes = axes.collect::<Result<Vec<Axis>, Stop>>()?;
     args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
-    let cases = Cases::along(&scene, &axes, args.part)?;
-    no_effect::refuse(&args.scene.overrides, &scene, &cases)?;
-    if scene.time.is_some() {
-        return rates::pull_each(args, &scene, &cases, wanted);
+    let cases = Cases::along(&scene, &axes, args.part).map_err(refused)?;
+    refuse_set_keys(&args.scene.overrides, cases.keys)?;
+    let part = args.part.map(|part| part::header(args, &scene, &axes, part));
+    let sweep = Analysis::of(&scene, cases, args.followed(), part).map_err(refused)?;
+    let folder = args.folder();
+    let is_kept = folder.is_some() && args.followed().is_none();
+    let answer = is_kept.then_some("stopping when the values being computed are done; Ctrl-C again stops at once");
+    let (fresh, json) = (args.fresh, args.json);
+    let drive = Drive { scene: &scene, out: &args.out, folder, fresh, json, bar: Bar::counted(), answer };
+    drive.run(&sweep, |found| table(&scene, found, wanted))
+}
+
+/// Refuses a key that `--set` gives as well.
+fn refuse_set_keys(overrides: &[(String, String)], keys: SweptKeys) -> Result<(), Stop> {
+    let set = |key: &Key| overrides.iter().find(|(set, _)| set.trim() == key.path());
+    match [Some(keys.first), keys.second].into_iter().flatten().find_map(set) {
+        Some((path, value)) => Err(Stop::bad_input(
+            format!(
+                "--set {path}={value} sets the key that --vary varies, and would have no effect",
+                path = path.trim()
+            ),
+            "Remove the --set, or vary another key.",
+        )),
+        None => Ok(()),
     }
-    if scene.seta.is_some() {
-        return setae::pull_off_each(args, &scene, &cases, wanted);
-    }
-    match args.followed() {
-        Some(kind) => follow::follow(args, kind, &scene, &cases, wanted),
-        None => {
-            let part = args.part.map(|part| part::header(args, &scene, &axes, part));
-            peels::peel_each(args, &scene, &cases, part.as_ref(), wanted)
-        }
+}
+
+/// The rows for a person.
+pub fn table(scene: &Scene, found: &SweepOutcome, wanted: WantedUnits) -> String {
+    let (keys, remarks) = (found.keys, &found.remarks);
+    match &found.rows {
+        Rows::Peels(rows) => text_summary::sweep(scene, keys, rows, remarks, wanted),
+        Rows::Setae(rows) => text_summary::swept_setae(scene, keys, rows, remarks, wanted),
+        Rows::Rates(rows) => text_summary::swept_rates(scene, keys, rows, remarks, wanted),
+        Rows::Followed(sweep, seconds) => text_summary::followed(scene, keys.first, sweep, seconds, wanted),
     }
 }

@@ -1,9 +1,9 @@
 //! `peel sweep --part I/N`: one part of a sweep that several machines divide.
 
 use super::args::Sweep;
-use super::axes::Axis;
 use crate::command_line::words;
 use crate::stop::Stop;
+use peelkit_analyses::Axis;
 use peelkit_report::{DividedSweep, Part, PartAxis, PartHeader, VERSION};
 use peelkit_scene::Scene;
 

@@ -3,7 +3,7 @@
 use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
-use crate::record::{Fields, Record};
+use crate::record::{Cell, Fields, Record, columns_of};
 use crate::reference::{Output, merged};
 use crate::table::write_table;
 use peelkit::solve::time::EnergyBalance;
@@ -59,24 +59,41 @@ impl Record for EnergyBalance {
 /// A time, with what adheres then.
 type Row<'a, C> = ((&'a PointAtRate, C), EnergyBalance);
 
-/// Writes curve.csv: one row a step in time, from rest on; of a seta another one behind each event.
-///
-/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_rate_curve(dir: &Path, pulled: &PulledAtRate) -> Result<PathBuf, ReportError> {
-    let fronts = pulled.points.iter().filter_map(|point| match point.contact {
+fn fronts(points: &[PointAtRate]) -> impl Iterator<Item = Row<'_, Front>> {
+    points.iter().filter_map(|point| match point.contact {
         Contact::Front(front) => Some(((point, Front(front)), point.balance)),
         Contact::Tips { .. } => None,
-    });
-    let tips = pulled.points.iter().filter_map(|point| match point.contact {
+    })
+}
+
+fn tips(points: &[PointAtRate]) -> impl Iterator<Item = Row<'_, Tips>> {
+    points.iter().filter_map(|point| match point.contact {
         Contact::Front(_) => None,
         Contact::Tips { attached, force, released } => {
             Some(((point, Tips { attached, force, released }), point.balance))
         }
-    });
-    match pulled.points.first().map(|point| point.contact) {
-        Some(Contact::Tips { .. }) => write_table(dir, "curve.csv", tips),
-        _ => write_table(dir, "curve.csv", fronts),
+    })
+}
+
+fn are_of_a_seta(points: &[PointAtRate]) -> bool {
+    points.first().is_some_and(|point| matches!(point.contact, Contact::Tips { .. }))
+}
+
+/// Writes curve.csv: one row a step in time, from rest on; of a seta another one behind each event.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+pub fn write_rate_curve(dir: &Path, pulled: &PulledAtRate) -> Result<PathBuf, ReportError> {
+    let points = &pulled.points;
+    if are_of_a_seta(points) {
+        write_table(dir, "curve.csv", tips(points))
+    } else {
+        write_table(dir, "curve.csv", fronts(points))
     }
+}
+
+/// The columns of curve.csv by their names.
+pub fn rate_columns(points: &[PointAtRate]) -> Vec<(String, Vec<Cell>)> {
+    if are_of_a_seta(points) { columns_of(tips(points)) } else { columns_of(fronts(points)) }
 }
 
 /// The table with all columns that it can have.

@@ -11,7 +11,7 @@ mod sweep_table;
 use crate::record::Record;
 use crate::reference::Output;
 
-pub use curve::write_rate_curve;
+pub use curve::{rate_columns, write_rate_curve};
 pub use picture::draw_rate;
 pub use pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 pub use summary::{RateFound, RateSummary};

@@ -27,7 +27,8 @@ pub(crate) use summary::RestOfTip;
 pub use summary::{SetaFound, SetaSummary, tip_peak};
 pub use sweep::{SetaRow, draw_swept_setae, write_swept_setae};
 pub use tables::{
-    write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events, write_tip_curve, write_tips,
+    pull_off_columns, write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events,
+    write_tip_curve, write_tips,
 };
 pub use tip_events::TipEvents;
 pub use vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};

@@ -4,7 +4,7 @@ use super::names::tip_branch_word;
 use super::route::travels;
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
-use crate::record::{Fields, Record};
+use crate::record::{Cell, Fields, Record, columns_of};
 use crate::reference::{Output, merged};
 use crate::table::write_table;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
@@ -57,8 +57,16 @@ pub fn write_seta_equilibria(dir: &Path, pull_off: &SetaPullOff) -> Result<PathB
 }
 
 fn write_points(dir: &Path, name: &str, pull_off: &SetaPullOff) -> Result<PathBuf, ReportError> {
-    let points = pull_off.points.iter().zip(travels(&pull_off.points));
-    write_table(dir, name, points.map(|(point, travel)| PointRow { point, travel }))
+    write_table(dir, name, rows(&pull_off.points))
+}
+
+fn rows(points: &[SetaPoint]) -> impl Iterator<Item = PointRow<'_>> {
+    points.iter().zip(travels(points)).map(|(point, travel)| PointRow { point, travel })
+}
+
+/// The columns of curve.csv by their names.
+pub fn pull_off_columns(points: &[SetaPoint]) -> Vec<(String, Vec<Cell>)> {
+    columns_of(rows(points))
 }
 
 const EVENT: &str = "number of the event, from 1: the tips that change while the root is held. One that begins with beams that buckle has a row of its own before those of its tips";

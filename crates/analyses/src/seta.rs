@@ -1,6 +1,6 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
-use crate::stop::Stop;
+use crate::outcome::Refusal;
 use peelkit::model::{PeelModel, PullCurve, SetaModel, TipLaw};
 use peelkit::study::coarsening::{
     AfterRound, Coarsening, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable,
@@ -50,11 +50,11 @@ impl From<CoarseningError> for NoTable {
     }
 }
 
-impl From<NoTable> for Stop {
+impl From<NoTable> for Refusal {
     fn from(why: NoTable) -> Self {
         match why {
-            NoTable::Refused { found, remedy } => Self::bad_input(found, remedy),
-            NoTable::Stopped(found) => Self::cut_short(found),
+            NoTable::Refused { found, remedy } => Self::asked(found, remedy),
+            NoTable::Stopped(found) => Self::CutShort(found),
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The pull-off of a seta, once where its tips follow a curve, and again each time the table that they follow has grown.
 
-use super::kept::{ByTable, Followed, KeptSeta, follow};
+use super::follow::{ByTable, Followed, KeptSeta, follow};
 use super::sampler::Sampler;
+use crate::outcome::Refusal;
 use crate::seta::{NoTable, TipLawOf, model};
-use crate::stop::Stop;
 use peelkit::model::{PullCurve, SetaError, SetaModel};
 use peelkit::study::coarsening::{AfterRound, CoarseningError, OutsideTable};
 use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, SetaPoint, StopCriteria};
@@ -38,9 +38,9 @@ impl Pull<'_> {
         tip: &PullCurve,
         mut kept: Option<&mut KeptSeta>,
         see: &mut dyn FnMut(&SetaPoint),
-    ) -> Result<Pulled, Stop> {
+    ) -> Result<Pulled, Refusal> {
         let Self { scene, table, loading, options, stop, states } = *self;
-        let refused = |error: SetaError| Stop::bad_input(error, "`peel keys seta` lists the keys with their ranges.");
+        let refused = |error: SetaError| Refusal::asked(error, "`peel keys seta` lists the keys with their ranges.");
         let fingerprint = law.fingerprint();
         let earlier = kept.as_mut().map(|kept| kept.by_table(fingerprint)).unwrap_or_default();
         let mut growing = match law {
@@ -51,7 +51,7 @@ impl Pull<'_> {
                 return Ok(Pulled { model, law: TipLawOf::Curve, followed, outside: None });
             }
             TipLawOf::Table(growing) => {
-                growing.behind(earlier).map_err(|why: CoarseningError| Stop::from(NoTable::from(why)))?
+                growing.behind(earlier).map_err(|why: CoarseningError| Refusal::from(NoTable::from(why)))?
             }
         };
         loop {

@@ -1,16 +1,16 @@
 //! A pull-off of which what was reached is kept where it takes long: an interrupted run goes on where it stopped.
 
 use super::sampler::Sampler;
-use crate::output::OutArgs;
+use crate::session::Session;
 use peelkit::model::{SetaError, SetaModel};
 use peelkit::study::coarsening::{TableLaw, TableRound, Visited};
 use peelkit::study::{
     self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria, StopReason,
 };
-use peelkit_report::{OutputFolder, PartialFile, PartialSeta, ReportError, SetaCheckpoint};
+use peelkit_report::{PartialFile, PartialSeta, ReportError, SetaCheckpoint};
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -42,7 +42,6 @@ pub struct SeenByTable {
 /// Where a pull-off is kept, and from where it goes on.
 pub struct KeptSeta {
     folder: PathBuf,
-    output: OutputFolder,
     partial: PartialSeta,
     reached: Option<SetaCheckpoint<Seen>>,
     taken: usize,
@@ -51,16 +50,10 @@ pub struct KeptSeta {
 }
 
 impl KeptSeta {
-    /// A folder in which a run is unfinished is one to go on with, unless it is begun afresh; any other that holds something is refused.
-    pub fn open(
-        out: &OutArgs,
-        fresh: bool,
-        folder: &Path,
-        scene: &Scene,
-        sampler: &Sampler,
-    ) -> Result<Self, ReportError> {
+    /// Where this session keeps what it finds, with what an earlier run of the scene has left there.
+    pub fn open(session: &Session, scene: &Scene, sampler: &Sampler) -> Result<Option<Self>, ReportError> {
         let mut reached = None;
-        let (partial, output) = out.claim_unfinished(folder, fresh, |dir| {
+        let partial = session.open(|dir| {
             let (partial, kept) = PartialSeta::open::<Seen>(dir, scene)?;
             reached = kept;
             Ok(partial)
@@ -68,7 +61,9 @@ impl KeptSeta {
         // the states that another number of them asks for are not among those that were seen
         let reached = reached.filter(|kept| kept.seen.sampler.is_like(sampler));
         let taken = reached.as_ref().map_or(0, |kept| kept.progress.result.points.len());
-        Ok(Self { folder: folder.to_path_buf(), output, partial, reached, taken, trouble: None })
+        let folder = session.journal.map(|journal| journal.folder.to_path_buf());
+        let kept = |(folder, partial)| Self { folder, partial, reached, taken, trouble: None };
+        Ok(folder.zip(partial).map(kept))
     }
 
     /// How many equilibria are those of an earlier run.
@@ -97,22 +92,16 @@ impl KeptSeta {
         }
     }
 
-    /// Writes the outputs. Then a run that is finished needs no checkpoint any more; what is to be said of one that is not.
-    pub fn write(
-        &mut self,
-        followed: &Followed,
-        write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,
-    ) -> (Result<Vec<PathBuf>, ReportError>, Option<String>) {
-        let files = self.output.write(write);
+    /// A run that is finished, and `written`, needs no checkpoint any more; what is to be said of one that is not.
+    pub fn settle(&mut self, followed: &Followed, written: bool) -> Result<Option<String>, ReportError> {
         let unfinished = matches!(followed.pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted));
         match followed.progress.as_ref().filter(|_| unfinished) {
-            None => (files.and_then(|files| PartialSeta::discard(&self.folder).map(|()| files)), None),
+            None if written => PartialSeta::discard(&self.folder).map(|()| None),
+            None => Ok(None),
             Some(progress) => {
                 self.keep(progress, &followed.seen);
-                match self.trouble.take() {
-                    None => (files, Some(format!("its equilibria are kept in {}", self.partial.path().display()))),
-                    Some(error) => (files.and(Err(error)), None),
-                }
+                let kept = format!("its equilibria are kept in {}", self.partial.path().display());
+                self.trouble.take().map_or(Ok(Some(kept)), Err)
             }
         }
     }

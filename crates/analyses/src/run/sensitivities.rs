@@ -1,30 +1,30 @@
-//! `peel run --sensitivities`: by which power of each parameter the results change.
+//! By which power of each parameter the results of a peel change.
 
-use super::RunProgress;
-use crate::stop::Stop;
-use crate::text_summary;
+use crate::outcome::Refusal;
 use peelkit::study::{Exponent, NoSensitivities, Peel, PeelQuantity, Terms, sensitivities};
 use peelkit_scene::{Parameters, Scene};
 
 /// What was found, by parameters with these keys.
 pub struct Exponents {
+    /// The exponents
     pub found: Vec<Exponent>,
+    /// The keys of the parameters
     pub keys: Vec<String>,
     /// Keys by which nothing could be differentiated, with the reason
-    refused: Vec<(String, String)>,
+    pub refused: Vec<(String, String)>,
 }
 
 /// Refuses a scene of which there are none.
-pub fn refuse(scene: &Scene) -> Result<(), Stop> {
+pub(super) fn refuse(scene: &Scene) -> Result<(), Refusal> {
     if scene.model.friction_law().is_some() {
         let why = NoSensitivities::Friction;
-        return Err(Stop::bad_input(
+        return Err(Refusal::asked(
             format!("there are no sensitivities: {why}"),
             "Omit --sensitivities, or [friction].",
         ));
     }
     if scene.accuracy.terms == Terms::Auto {
-        return Err(Stop::bad_input(
+        return Err(Refusal::asked(
             "sensitivities are those of a model with all of its terms, and the scene has terms = \"auto\"",
             "Omit --sensitivities, or give --set terms=all.",
         ));
@@ -34,8 +34,9 @@ pub fn refuse(scene: &Scene) -> Result<(), Stop> {
 
 impl Exponents {
     /// Of a peel of this scene.
-    pub fn of(scene: &Scene, peel: &Peel, progress: &RunProgress) -> Result<Self, NoSensitivities> {
-        progress.stage("sensitivities");
+    ///
+    /// Fails where they cannot be computed.
+    pub fn of(scene: &Scene, peel: &Peel) -> Result<Self, NoSensitivities> {
         let Parameters { variations, fixed } = scene.parameters();
         let found = sensitivities(peel, &PeelQuantity::ALL, &variations)?;
         let refused = found.refused.iter().map(|(k, why)| (variations[*k].key.clone(), why.to_string())).chain(fixed);
@@ -44,10 +45,5 @@ impl Exponents {
             refused: refused.collect(),
             keys: variations.into_iter().map(|variation| variation.key).collect(),
         })
-    }
-
-    /// As a person reads it.
-    pub fn text(&self) -> String {
-        text_summary::sensitivities(&self.found, &self.keys, &self.refused)
     }
 }

@@ -1,29 +1,17 @@
 //! A sweep that would change nothing: refused where that is known before, and said where it is seen.
 
 use super::cases::Cases;
-use crate::stop::Stop;
+use crate::outcome::Refusal;
 use peelkit::model::{Body, Spatula};
 use peelkit_report::{SweepRow, SweptKeys};
 use peelkit_scene::{Key, Scene};
 
-/// Refuses a key that `--set` gives as well, and one that no result of this scene depends on.
-pub fn refuse(overrides: &[(String, String)], scene: &Scene, cases: &Cases) -> Result<(), Stop> {
-    [Some(cases.keys.first), cases.keys.second]
-        .into_iter()
-        .flatten()
-        .try_for_each(|key| refuse_key(overrides, scene, key))
-}
-
-fn refuse_key(overrides: &[(String, String)], scene: &Scene, key: &Key) -> Result<(), Stop> {
-    let path = key.path();
-    if let Some((_, value)) = overrides.iter().find(|(set, _)| set.trim() == path) {
-        return Err(Stop::bad_input(
-            format!("--set {path}={value} sets the key that --vary varies, and would have no effect"),
-            "Remove the --set, or vary another key.",
-        ));
-    }
-    why_none(scene, key).map_or(Ok(()), |(why, remedy)| {
-        Err(Stop::bad_input(format!("--vary {path} would change no result: {why}"), remedy))
+/// Refuses a key that no result of this scene depends on.
+pub fn refuse(scene: &Scene, cases: &Cases) -> Result<(), Refusal> {
+    [Some(cases.keys.first), cases.keys.second].into_iter().flatten().try_for_each(|key| {
+        let refused =
+            |(why, remedy)| Err(Refusal::asked(format!("--vary {} would change no result: {why}", key.path()), remedy));
+        why_none(scene, key).map_or(Ok(()), refused)
     })
 }
 

@@ -1,0 +1,30 @@
+//! What can be asked of a scene: its peel, its pull-off, its pull at a rate, and what is made of many of these.
+//!
+//! An [`Analysis`] is made of a scene that it is checked against; [`Analysis::run`] computes it in a [`Session`], which says who looks on and where
+//! it keeps what it finds; an [`Outcome`] hands on the numbers and writes the files. The command `peel` and the Python package are made of these.
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+
+mod coarsen;
+mod fit;
+mod optimise;
+mod outcome;
+mod rate;
+mod run;
+mod sampled_seta;
+mod session;
+mod seta;
+mod sweep;
+mod uncertainty;
+
+pub use coarsen::{TipCoarsening, TipOutcome};
+pub use fit::{Data, FitOutcome, Fitting};
+pub use optimise::{Optimisation, OptimisationOutcome};
+pub use outcome::{Analysis, End, Outcome, Refusal};
+pub use run::{
+    Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
+};
+pub use session::{Journal, Nobody, Progress, Session, Watcher};
+pub use sweep::{Axis, Case, Cases, Rows, Sweep, SweepOutcome, place};
+pub use uncertainty::{Uncertainty, UncertaintyOutcome};

@@ -1,0 +1,134 @@
+//! The best design of a scene that says what is free.
+
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::session::{Progress, Session};
+use peelkit::study::optimisation::{DesignProblem, Evaluation, NoOptimum, OptimisationOptions, Optimum, optimise};
+use peelkit_report::{self as report, OptimisationSummary, PartialFile, PartialOptimisation, ReportError, timed};
+use peelkit_scene::{OptimisationTable, Scene};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
+
+/// The search for the best design of a scene.
+pub struct Optimisation<'s> {
+    scene: &'s Scene,
+    table: &'s OptimisationTable,
+    problem: Arc<DesignProblem<'static>>,
+}
+
+impl<'s> Optimisation<'s> {
+    /// Of a scene.
+    ///
+    /// Fails where it does not say what is free.
+    pub fn of(scene: &'s Scene) -> Result<Self, Refusal> {
+        let both = scene.optimisation.as_ref().zip(scene.design_problem());
+        let (table, problem) = both.ok_or_else(|| {
+            Refusal::scene(
+                "nothing is free in this scene: it lacks the table [optimise]",
+                "Add a line [optimise] and below it for example objective = \"initiation_peak.force_nN\" and width = { from = \"5 nm\", to = \"20 nm\" }; \
+                 `peel keys optimise` lists its keys.",
+            )
+        })?;
+        Ok(Self { scene, table, problem: Arc::new(problem) })
+    }
+}
+
+/// The best design that was found.
+pub struct OptimisationOutcome {
+    /// What was optimised
+    pub problem: Arc<DesignProblem<'static>>,
+    /// The best design
+    pub optimum: Optimum,
+    /// That it took
+    pub seconds: f64,
+    /// Designs of an earlier run
+    pub taken: usize,
+    kept: Option<PathBuf>,
+}
+
+impl Analysis for Optimisation<'_> {
+    type Found = OptimisationOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        Some(PartialOptimisation::NAME)
+    }
+
+    fn run(&self, session: &Session) -> Result<OptimisationOutcome, Refusal> {
+        let Self { scene, table, problem } = self;
+        let partial = session.open(|dir| PartialOptimisation::open(dir, scene))?;
+        session.watcher.see(Progress::Begin(table.starts * table.evaluations));
+        // the first design that could not be kept
+        let trouble = OnceLock::new();
+        let keep = |design: &Evaluation| {
+            session.watcher.see(Progress::Done);
+            if let Some(Err(error)) = partial.as_ref().map(|partial| partial.keep(design)) {
+                let _ = trouble.set(error);
+            }
+        };
+        let options = OptimisationOptions {
+            stop: &|| session.stop_of_one(scene),
+            go_on: &|| !session.watcher.asked() && trouble.get().is_none(),
+            known: &|coordinates| partial.as_ref()?.found(coordinates).cloned(),
+            keep: &|_, design| keep(design),
+            ..table.options(scene.accuracy)
+        };
+        let (found, seconds) = timed(|| optimise(problem, &options));
+        let taken = partial.as_ref().map_or(0, PartialOptimisation::taken);
+        trouble.into_inner().map_or(Ok(()), Err)?;
+        let optimum = found.map_err(|error| match error {
+            NoOptimum::AllBad { .. } => Refusal::cut_short(error),
+            error => Refusal::scene(
+                format!("there is no optimum: {error}"),
+                "Change the table [optimise]; `peel run` of the same scene shows what its peel has.",
+            ),
+        })?;
+        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
+        Ok(OptimisationOutcome { problem: Arc::clone(problem), optimum, seconds, taken, kept })
+    }
+}
+
+impl OptimisationOutcome {
+    fn summary(&self, scene: &Scene) -> OptimisationSummary {
+        OptimisationSummary::new(scene, &self.problem, &self.optimum, self.seconds)
+    }
+
+    /// The best design as a scene of its own.
+    pub fn best(&self, scene: &Scene) -> Option<Scene> {
+        scene.of_design(&self.optimum.after.values)
+    }
+}
+
+impl Outcome for OptimisationOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(self.summary(scene), command, OptimisationSummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let Self { problem, optimum, .. } = self;
+        let summary = self.summary(scene).with_command(command);
+        let mut files = vec![summary.write(dir)?, report::write_history(dir, problem, optimum)?];
+        if let Some(best) = self.best(scene) {
+            let path = dir.join("optimum.toml");
+            report::write_whole(&path, best.to_toml().as_bytes())?;
+            files.push(path);
+        }
+        files.push(report::write_parameters(dir, scene, command)?);
+        files.extend(report::draw_optimum(problem, optimum, &scene.title, dir)?);
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        if !self.optimum.unfinished {
+            return End::Done;
+        }
+        let designs: usize = self.optimum.searches.iter().map(|search| search.evaluations.len()).sum();
+        End::Interrupted { done: Some(format!("{designs} designs are evaluated")), short: None }
+    }
+
+    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+        match self.kept.as_ref().filter(|_| written && !self.optimum.unfinished) {
+            Some(folder) => PartialOptimisation::discard(folder).map(|()| None),
+            None => Ok(None),
+        }
+    }
+}

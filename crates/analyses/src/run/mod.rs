@@ -1,0 +1,105 @@
+//! What `peel run` computes: the peel of a scene, the pull-off of its seta, or its pull at a rate, by what the scene describes.
+
+mod asked;
+mod peel;
+mod rate;
+mod sensitivities;
+mod seta;
+
+pub use asked::Asked;
+pub use peel::{PeelOutcome, PeelRun};
+pub use rate::{OfSeta, Pull, RateOutcome, RateRun};
+pub use sensitivities::Exponents;
+pub use seta::{SetaOutcome, SetaRun};
+
+use crate::outcome::{Analysis, End, Outcome, Refusal};
+use crate::session::Session;
+use peelkit_report::ReportError;
+use peelkit_scene::Scene;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A run of a scene, by what it describes.
+pub enum Run<'s> {
+    /// A beam in equilibrium
+    Peel(PeelRun<'s>),
+    /// A seta in equilibrium
+    Seta(SetaRun<'s>),
+    /// Either, pulled at a rate
+    Rate(RateRun<'s>),
+}
+
+impl<'s> Run<'s> {
+    /// Of a scene.
+    ///
+    /// Fails where something is asked for that has no meaning for what the scene describes, or cannot be computed of it.
+    pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
+        Ok(match (&scene.time, &scene.seta) {
+            (Some(_), _) => Self::Rate(RateRun::of(scene, asked)?),
+            (None, Some(_)) => Self::Seta(SetaRun::of(scene, asked)?),
+            (None, None) => Self::Peel(PeelRun::of(scene, asked)?),
+        })
+    }
+}
+
+impl Analysis for Run<'_> {
+    type Found = RunOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        match self {
+            Self::Peel(run) => run.checkpoint(),
+            Self::Seta(run) => run.checkpoint(),
+            Self::Rate(run) => run.checkpoint(),
+        }
+    }
+
+    fn run(&self, session: &Session) -> Result<RunOutcome, Refusal> {
+        Ok(match self {
+            Self::Peel(run) => RunOutcome::Peel(Box::new(run.run(session)?)),
+            Self::Seta(run) => RunOutcome::Seta(Box::new(run.run(session)?)),
+            Self::Rate(run) => RunOutcome::Rate(Box::new(run.run(session)?)),
+        })
+    }
+}
+
+/// What a run has found.
+pub enum RunOutcome {
+    /// Of a beam in equilibrium
+    Peel(Box<PeelOutcome>),
+    /// Of a seta in equilibrium
+    Seta(Box<SetaOutcome>),
+    /// Of either, pulled at a rate
+    Rate(Box<RateOutcome>),
+}
+
+impl RunOutcome {
+    fn any(&self) -> &dyn Outcome {
+        match self {
+            Self::Peel(found) => &**found,
+            Self::Seta(found) => &**found,
+            Self::Rate(found) => &**found,
+        }
+    }
+}
+
+impl Outcome for RunOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        self.any().json(scene, command)
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        self.any().write(scene, dir, command)
+    }
+
+    fn end(&self) -> End {
+        self.any().end()
+    }
+
+    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+        match self {
+            Self::Peel(found) => found.settle(written),
+            Self::Seta(found) => found.settle(written),
+            Self::Rate(found) => found.settle(written),
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! The whole path of equilibria of a scene, with what is asked for beside it.
+
+use super::asked::Asked;
+use super::sensitivities::{self, Exponents};
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::session::{Progress, Session};
+use peelkit::model::PeelModel;
+use peelkit::study::{
+    self, Checkpoint, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch, PathEnd,
+    Peel, TestEnd,
+};
+use peelkit_report::{self as report, PartialFile, PartialRun, PeelSummary, ReportError, timed};
+use peelkit_scene::Scene;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The path of a scene that can be computed.
+pub struct PeelRun<'s> {
+    scene: &'s Scene,
+    asked: Asked,
+}
+
+impl<'s> PeelRun<'s> {
+    /// Of a scene without seta and without rate.
+    ///
+    /// Fails where something that is asked for has no meaning for this scene.
+    pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
+        refuse_out_of_plane(scene, asked)?;
+        refuse_branch(scene, asked)?;
+        if asked.sensitivities {
+            sensitivities::refuse(scene)?;
+        }
+        if asked.observed {
+            refuse_test(scene)?;
+        }
+        Ok(Self { scene, asked })
+    }
+}
+
+fn refuse_out_of_plane(scene: &Scene, asked: Asked) -> Result<(), Refusal> {
+    let why = if asked.looks_out_of_plane() { NotOutOfPlane::of(&scene.model) } else { None };
+    let Some(why) = why else { return Ok(()) };
+    let (what, option) = match asked.branch {
+        true => ("the branch out of the plane is not followed", "--branch"),
+        false => ("the stability out of the plane is not computed", "--out-of-plane"),
+    };
+    Err(Refusal::asked(format!("{what}: {why}"), why.remedy().replace("--out-of-plane", option)))
+}
+
+/// Refuses a scene whose branch is none that is computed in space.
+fn refuse_branch(scene: &Scene, asked: Asked) -> Result<(), Refusal> {
+    let checked = if asked.branch { PeelModel::left_plane(&scene.model).check() } else { Ok(()) };
+    checked.map_err(|why| {
+        Refusal::asked(
+            format!("the branch out of the plane is not followed: in space `{}` {}", why.key(), why.found()),
+            "Omit --branch: --out-of-plane alone says where the planar path loses its stability.",
+        )
+    })
+}
+
+/// Refuses a scene that has no displacement-controlled test before its path is computed. What is wrong with its model is told with its path.
+fn refuse_test(scene: &Scene) -> Result<(), Refusal> {
+    match study::no_test(&scene.model, &scene.accuracy) {
+        None | Some(NoTest::Model(_)) => Ok(()),
+        Some(none) => Err(without_test(&none)),
+    }
+}
+
+fn without_test(none: &NoTest) -> Refusal {
+    Refusal::asked(format!("there is no observed test: {none}"), none.remedy())
+}
+
+/// What a run has found.
+pub struct PeelOutcome {
+    /// The path
+    pub peel: Arc<Peel>,
+    /// That the path took
+    pub seconds: f64,
+    /// The stability of the path against leaving its plane
+    pub stability: Option<OutOfPlane>,
+    /// Where it was looked for, the branch that leaves the plane, if there is one
+    pub branch: Option<Option<OutOfPlaneBranch>>,
+    /// The displacement-controlled test
+    pub test: Option<Observed>,
+    /// That the stability, the branch and the test took
+    pub beside_s: [f64; 3],
+    /// By which power of each parameter the results change
+    pub exponents: Option<Exponents>,
+    /// Path points of an earlier run
+    pub taken: usize,
+    /// Why something that was asked for is missing
+    missing: Option<String>,
+    interrupted: bool,
+    asked: Asked,
+    kept: Option<(PathBuf, Mutex<PartialRun>)>,
+}
+
+/// What there is of something that was asked for, and why it is missing.
+fn or_why<T, E: ToString>(found: Result<Option<T>, E>) -> (Option<T>, Option<String>) {
+    match found {
+        Ok(found) => (found, None),
+        Err(why) => (None, Some(why.to_string())),
+    }
+}
+
+impl Analysis for PeelRun<'_> {
+    type Found = PeelOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        Some(PartialRun::NAME)
+    }
+
+    fn run(&self, session: &Session) -> Result<PeelOutcome, Refusal> {
+        let Self { scene, asked } = *self;
+        let partial = session.open(|dir| PartialRun::open(dir, scene))?;
+        let taken = partial.as_ref().map_or(0, PartialRun::points_taken);
+        let (peel, seconds) = timed(|| path(scene, partial.as_ref(), session));
+        let asked_to_stop = session.watcher.nothing_more_is_kept();
+        let interrupted = asked_to_stop && peel.unfinished;
+        let looked_at = asked.looks_out_of_plane() && !peel.points.is_empty();
+        let (stability, stability_s) = timed(|| looked_at.then(|| peel.out_of_plane()).transpose());
+        let (stability, unknown) = or_why(stability);
+        let follows = asked.branch && !interrupted && stability.is_some();
+        let (branch, branch_s) = timed(|| {
+            let branch = || {
+                session.stage("branch out of the plane");
+                peel.branch(&session.stop(scene))
+            };
+            follows.then(branch).transpose()
+        });
+        let (branch, not_followed) = or_why(branch);
+        let differentiated = asked.sensitivities && !interrupted && peel.points.len() > 1;
+        let exponents = || {
+            session.stage("sensitivities");
+            Exponents::of(scene, &peel)
+        };
+        let (exponents, no_exponents) = or_why(differentiated.then(exponents).transpose());
+        let (test, test_s) = timed(|| (asked.observed && !interrupted).then(|| observed(scene, session)));
+        let test = test.transpose()?;
+        Ok(PeelOutcome {
+            stability,
+            branch,
+            test,
+            beside_s: [stability_s, branch_s, test_s],
+            exponents,
+            taken,
+            missing: no_exponents.or(unknown).or(not_followed),
+            interrupted,
+            asked,
+            kept: session.journal.map(|journal| journal.folder.to_path_buf()).zip(partial.map(Mutex::new)),
+            ..PeelOutcome::of(Arc::new(peel), seconds)
+        })
+    }
+}
+
+/// The path, from what an earlier run has kept of it.
+fn path(scene: &Scene, partial: Option<&PartialRun>, session: &Session) -> Peel {
+    let checkpoint = Checkpoint {
+        taken: &|options| partial.map(|partial| partial.taken(options)).unwrap_or_default(),
+        keep: &|options, waypoint| {
+            session.watcher.see(Progress::Point(options, &waypoint));
+            if let Some(partial) = partial {
+                partial.keep(options, waypoint);
+            }
+        },
+    };
+    study::peel_on(&scene.model, &scene.accuracy, &session.stop(scene), &checkpoint)
+}
+
+/// The displacement-controlled test of a scene.
+fn observed(scene: &Scene, session: &Session) -> Result<Observed, Refusal> {
+    session.stage("displacement-controlled test");
+    study::observed(&scene.model, &scene.accuracy, &session.stop(scene)).map_err(|none| without_test(&none))
+}
+
+impl PeelOutcome {
+    /// Of a path that took so many seconds, with nothing beside it.
+    pub fn of(peel: Arc<Peel>, seconds: f64) -> Self {
+        Self {
+            peel,
+            seconds,
+            stability: None,
+            branch: None,
+            test: None,
+            beside_s: [0.0; 3],
+            exponents: None,
+            taken: 0,
+            missing: None,
+            interrupted: false,
+            asked: Asked::default(),
+            kept: None,
+        }
+    }
+
+    fn summary(&self, scene: &Scene) -> PeelSummary {
+        let [stability_s, branch_s, test_s] = self.beside_s;
+        let mut summary = PeelSummary::new(scene, &self.peel, self.seconds);
+        if let Some(test) = &self.test {
+            summary = summary.with_observed(test, test_s);
+        }
+        if let Some(stability) = &self.stability {
+            summary = summary.with_out_of_plane(stability, stability_s);
+        }
+        if let Some(branch) = &self.branch {
+            summary = summary.with_branch(branch.as_ref(), branch_s);
+        }
+        if let Some(Exponents { found, keys, .. }) = &self.exponents {
+            summary = summary.with_sensitivities(found, keys);
+        }
+        summary
+    }
+}
+
+impl Outcome for PeelOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(self.summary(scene), command, PeelSummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let Self { peel, test, exponents, asked, .. } = self;
+        let (stability, branch) = (self.stability.as_ref(), self.branch.iter().flatten().next());
+        let mut files = vec![
+            self.summary(scene).with_command(command).write(dir)?,
+            report::write_curve(dir, peel, stability)?,
+            report::write_limit_points(dir, peel)?,
+        ];
+        files.push(report::write_parameters(dir, scene, command)?);
+        if peel.points.len() > 1 {
+            files.extend(report::draw_peel_with_branch(peel, stability, branch, &scene.title, dir)?);
+        }
+        if let Some(branch) = branch {
+            files.push(report::write_branch(dir, branch)?);
+        }
+        if let Some(count) = asked.states {
+            let states = peel.states(count as usize);
+            files.push(report::write_states(dir, &states)?);
+            files.extend(report::write_vtk(dir, &states)?);
+        }
+        if let Some(Exponents { found, keys, .. }) = exponents.as_ref().filter(|exponents| !exponents.found.is_empty())
+        {
+            files.extend(report::draw_sensitivities(found, keys, &scene.title, dir)?);
+        }
+        if let Some(test) = test {
+            files.push(report::write_observed(dir, test)?);
+            if test.points.len() > 1 {
+                files.extend(report::draw_observed(test, &scene.title, dir)?);
+            }
+        }
+        if asked.animate && peel.points.len() > 1 {
+            files.push(report::write_animation(dir, peel, &scene.title)?);
+        }
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        if self.interrupted {
+            return End::Interrupted { done: None, short: None };
+        }
+        if let PathEnd::Failed(Failure::NoStart(NoEquilibrium::Unstable { why })) = &self.peel.end {
+            let found = format!("the model is refused, there is no stable state at rest: {why}");
+            return End::Refused { found, remedy: why.remedy().to_string() };
+        }
+        let of_path = match &self.peel.end {
+            PathEnd::Failed(reason) => Some(reason.to_string()),
+            _ => None,
+        };
+        let of_test = || match &self.test.as_ref()?.end {
+            TestEnd::Failed(reason) => Some(format!("in the displacement-controlled test, {reason}")),
+            _ => None,
+        };
+        let of_branch = || match &self.branch.as_ref()?.as_ref()?.peel.end {
+            PathEnd::Failed(reason) => Some(format!("on the branch out of the plane, {reason}")),
+            _ => None,
+        };
+        let why = of_path.or_else(of_test).or_else(|| self.missing.clone()).or_else(of_branch);
+        why.map_or(End::Done, End::CutShort)
+    }
+
+    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+        let Some((folder, partial)) = &mut self.kept else { return Ok(None) };
+        if !self.peel.unfinished {
+            return if written { PartialRun::discard(folder).map(|()| None) } else { Ok(None) };
+        }
+        let partial = partial.get_mut().unwrap_or_else(PoisonError::into_inner);
+        Ok(Some(match partial.write_all()? {
+            true => format!("its points are kept in {}", partial.path().display()),
+            false => "it had no points to keep".into(),
+        }))
+    }
+}

@@ -1,0 +1,194 @@
+//! The pull-off of the seta of a scene.
+
+mod by_table;
+mod follow;
+mod sampler;
+
+use super::asked::{self, Asked};
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::session::{Progress, Session};
+use crate::seta::{TipLawOf, options, tip_curve};
+use by_table::{Pull, Pulled};
+use follow::{Followed, KeptSeta};
+use peelkit::model::{PullCurve, SetaModel};
+use peelkit::study::coarsening::{GrowingTable, OutsideTable};
+use peelkit::study::{self, Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState};
+use peelkit_report::{self as report, PartialFile, PartialSeta, ReportError, SetaSummary, timed};
+use peelkit_scene::{Scene, SetaTable};
+use sampler::Sampler;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// States of an animation.
+const FRAMES: usize = 60;
+
+/// The pull-off of the seta of a scene.
+pub struct SetaRun<'s> {
+    scene: &'s Scene,
+    table: &'s SetaTable,
+    asked: Asked,
+}
+
+impl<'s> SetaRun<'s> {
+    /// Of a scene with a seta and without rate.
+    ///
+    /// Fails where something is asked for that has no meaning for a seta.
+    pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
+        let options = [
+            (asked.observed, "--observed", "its pull-off is displacement-controlled, with every jump as an event"),
+            (asked.out_of_plane, "--out-of-plane", "it is in space, and its stability is that in space"),
+            (asked.branch, "--branch", "it is in space, and follows stable branches alone"),
+            (asked.sensitivities, "--sensitivities", "the derivatives of its results are not computed"),
+        ];
+        asked::refuse(&options, "a seta", "; curve.csv and events.csv hold the pull-off with its jumps.")?;
+        let table = scene.seta.as_ref().ok_or_else(|| Refusal::scene("it has no table [seta]", "Add one."))?;
+        Ok(Self { scene, table, asked })
+    }
+}
+
+/// The pull-off of a seta, with the law of its tips.
+pub struct SetaOutcome {
+    /// What was pulled off
+    pub model: SetaModel,
+    /// The curve of the normal pull of a tip
+    pub tip: PullCurve,
+    /// The largest force on finer meshes, where it was found there
+    pub peak: Option<ConvergedPeak>,
+    /// Tips that are outside of their table, which does not grow any more
+    pub outside: Option<OutsideTable>,
+    /// That the law of the tips, the pull-off and the finer meshes took
+    pub seconds: [f64; 3],
+    /// Equilibria of an earlier run
+    pub taken: usize,
+    law: TipLawOf,
+    followed: Followed,
+    interrupted: bool,
+    asked: Asked,
+    kept: Option<KeptSeta>,
+}
+
+impl Analysis for SetaRun<'_> {
+    type Found = SetaOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        Some(PartialSeta::NAME)
+    }
+
+    fn run(&self, session: &Session) -> Result<SetaOutcome, Refusal> {
+        let Self { scene, table, asked } = *self;
+        let states = (asked.states.unwrap_or(0) as usize).max(if asked.animate { FRAMES } else { 0 });
+        let mut kept = KeptSeta::open(session, scene, &Sampler::new(states))?;
+        let stop = session.stop(scene);
+        session.stage("law of the tips");
+        let (tip, tip_s) = timed(|| tip_curve(scene));
+        let tip = tip.map_err(Refusal::cut_short)?;
+        let (law, table_s) = timed(|| TipLawOf::new(scene, table, &stop));
+        let law = law?;
+        let (loading, options) = (scene.seta_loading(table), options(scene));
+        let mut see = |point: &SetaPoint| session.watcher.see(Progress::Equilibrium(point));
+        let pull = Pull { scene, table, loading: &loading, options: &options, stop: &stop, states };
+        let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, kept.as_mut(), &mut see));
+        let Pulled { model, law, followed, outside } = pulled?;
+        session.stage("peak on finer meshes");
+        let (pull_off, wanted) = (&followed.pull_off, scene.accuracy.relative);
+        let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted, &stop));
+        let peak = peak.map_err(|error| Refusal::Other(error.to_string()))?;
+        // nothing of what comes behind the pull-off is kept
+        let asked_to_stop = session.watcher.nothing_more_is_kept();
+        let interrupted = asked_to_stop && matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+        Ok(SetaOutcome {
+            model,
+            tip,
+            peak,
+            outside,
+            seconds: [tip_s + table_s, solve_s, peak_s],
+            taken: kept.as_ref().map_or(0, KeptSeta::taken),
+            law,
+            followed,
+            interrupted,
+            asked,
+            kept,
+        })
+    }
+}
+
+impl SetaOutcome {
+    /// The pull-off.
+    pub fn pull_off(&self) -> &SetaPullOff {
+        &self.followed.pull_off
+    }
+
+    /// The table that the tips follow, where they follow one.
+    pub fn table(&self) -> Option<&GrowingTable> {
+        self.law.growing()
+    }
+
+    fn summary(&self, scene: &Scene) -> SetaSummary {
+        SetaSummary::new(scene, &self.model.seta, &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
+            .with_table(self.table())
+            .with_outside(self.outside.as_ref())
+    }
+
+    /// The states that have names.
+    fn moments(&self) -> Vec<(&'static str, &SetaState)> {
+        let pull_off = self.pull_off();
+        let all = [
+            ("first-detachment", &pull_off.first_detachment),
+            ("peak", &pull_off.peak),
+            ("last-detachment", &pull_off.last_detachment),
+            ("end", &pull_off.last),
+        ];
+        all.into_iter().filter_map(|(name, state)| Some((name, state.as_ref()?))).collect()
+    }
+
+    /// So many states along the pull-off, evenly, with those that have names.
+    fn states(&self, count: usize) -> Vec<SetaState> {
+        self.followed.sampler().evenly(count, self.moments().into_iter().map(|(_, state)| state.clone()))
+    }
+}
+
+impl Outcome for SetaOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(self.summary(scene), command, SetaSummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let (pull_off, seta) = (self.pull_off(), &self.model.seta);
+        let mut files = vec![
+            self.summary(scene).with_command(command).write(dir)?,
+            report::write_seta_curve(dir, pull_off)?,
+            report::write_seta_events(dir, pull_off, seta)?,
+            report::write_tips(dir, seta, &self.moments())?,
+            report::write_tip_curve(dir, &self.tip)?,
+            report::write_parameters(dir, scene, command)?,
+        ];
+        if pull_off.points.len() > 1 {
+            files.extend(report::draw_pull_off(dir, pull_off, seta, &scene.title)?);
+        }
+        if let Some(count) = self.asked.states {
+            let states = self.states(count as usize);
+            let poses: Vec<_> = states.iter().map(|state| report::SetaPose::of(state, seta)).collect();
+            files.extend(report::write_seta_states(dir, &poses)?);
+        }
+        let frames = if self.asked.animate { self.states(FRAMES) } else { Vec::new() };
+        if frames.len() > 1 {
+            files.push(report::write_seta_animation(dir, pull_off, &frames, seta, &scene.title)?);
+        }
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        match &self.pull_off().end {
+            SetaEnd::Failed(failure) => End::CutShort(failure.to_string()),
+            SetaEnd::Bound(_) if self.interrupted => End::Interrupted { done: None, short: None },
+            SetaEnd::Completed | SetaEnd::Bound(_) => {
+                let unknown = self.outside.as_ref().filter(|outside| !outside.peak_is_inside);
+                unknown.map_or(End::Done, |outside| End::CutShort(outside.to_string()))
+            }
+        }
+    }
+
+    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+        self.kept.as_mut().map_or(Ok(None), |kept| kept.settle(&self.followed, written))
+    }
+}

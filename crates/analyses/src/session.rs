@@ -1,0 +1,109 @@
+//! What an analysis has around it: who looks on and may stop it, and where what it finds is kept.
+
+use peelkit::solve::{PathOptions, Waypoint};
+use peelkit::study::{SetaPoint, StopCriteria};
+use peelkit_report::{Damaged, PartialFile, ReportError};
+use peelkit_scene::Scene;
+use std::path::Path;
+
+/// Who looks on while something is computed, from any thread, and may ask to stop.
+pub trait Watcher: Sync {
+    /// Hears how far it is.
+    fn see(&self, _progress: Progress) {}
+
+    /// These criteria, and besides: what is computed ends where it was asked to stop.
+    fn ends(&self, stop: StopCriteria) -> StopCriteria {
+        stop
+    }
+
+    /// Whether it was asked to stop.
+    fn asked(&self) -> bool {
+        false
+    }
+
+    /// Hears that nothing of what comes now is kept; whether it was asked to stop before. What was asked before does not end what comes.
+    fn nothing_more_is_kept(&self) -> bool {
+        self.asked()
+    }
+}
+
+/// Nobody looks on.
+#[derive(Clone, Copy, Debug)]
+pub struct Nobody;
+
+impl Watcher for Nobody {}
+
+/// How far a computation is.
+#[derive(Clone, Copy, Debug)]
+pub enum Progress<'p> {
+    /// What comes next
+    Stage(&'static str),
+    /// A point of a path with these options was computed.
+    Point(&'p PathOptions, &'p Waypoint),
+    /// An equilibrium of a seta was computed.
+    Equilibrium(&'p SetaPoint),
+    /// So many samples, designs or values are computed from now on, at most.
+    Begin(usize),
+    /// One of these is known from an earlier run.
+    Known,
+    /// One of these was computed.
+    Done,
+    /// Something of what an earlier run has kept is not as it was written, and is computed again.
+    Damaged(&'p Damaged),
+}
+
+/// Where an analysis keeps what it finds while it computes, so that the next one goes on from there.
+#[derive(Clone, Copy, Debug)]
+pub struct Journal<'s> {
+    /// The folder of its outputs
+    pub folder: &'s Path,
+    /// Whether what an earlier run has kept is discarded
+    pub fresh: bool,
+}
+
+/// What an analysis has around it.
+#[derive(Clone, Copy)]
+pub struct Session<'s> {
+    /// Looks on
+    pub watcher: &'s dyn Watcher,
+    /// Where what is found is kept, if it is
+    pub journal: Option<Journal<'s>>,
+    /// Whether a sample, a design or a value that is under way ends as well where it was asked to stop; else it is computed to its end,
+    /// because it is kept
+    pub abrupt: bool,
+}
+
+impl Session<'_> {
+    /// A computation that nobody looks at, within the bounds of its scene, of which nothing is kept.
+    pub const PLAIN: Session<'static> = Session { watcher: &Nobody, journal: None, abrupt: false };
+
+    /// The stop criteria of something that begins now: the bounds of its scene, and where it was asked to stop.
+    pub fn stop(&self, scene: &Scene) -> StopCriteria {
+        self.watcher.ends(scene.bounds.from_now())
+    }
+
+    /// Those of one among many, which begins now.
+    pub(crate) fn stop_of_one(&self, scene: &Scene) -> StopCriteria {
+        if self.abrupt { self.stop(scene) } else { scene.bounds.from_now() }
+    }
+
+    pub(crate) fn stage(&self, next: &'static str) {
+        self.watcher.see(Progress::Stage(next));
+    }
+
+    /// The file in which what is found is kept, if it is, with what an earlier run has left there.
+    pub(crate) fn open<P: PartialFile>(
+        &self,
+        open: impl FnOnce(&Path) -> Result<P, ReportError>,
+    ) -> Result<Option<P>, ReportError> {
+        let Some(Journal { folder, fresh }) = self.journal else { return Ok(None) };
+        if fresh {
+            P::discard(folder)?;
+        }
+        let partial = open(folder)?;
+        if let Some(damaged) = partial.damaged() {
+            self.watcher.see(Progress::Damaged(damaged));
+        }
+        Ok(Some(partial))
+    }
+}

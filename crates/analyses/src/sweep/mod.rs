@@ -1,0 +1,159 @@
+//! One number of a scene varied, or two: each value peeled from rest to its end, pulled off, or pulled at its rate, or one point of the peel followed.
+
+mod cases;
+mod compute;
+mod failed;
+mod follow;
+mod no_effect;
+mod outcome;
+
+pub use cases::{Axis, Case, Cases};
+pub use failed::place;
+pub use outcome::{Rows, SweepOutcome};
+
+use crate::outcome::{Analysis, Refusal};
+use crate::rate::{pull_beam, pull_seta};
+use crate::session::Session;
+use crate::seta::Setae;
+use compute::{Found, compute};
+use peelkit::study::{self, PeelResult, PointKind};
+use peelkit_report::{PartHeader, PartialFile, PartialSweep, PullRow, PulledAtRate, RateResult, Storable, SweepRow};
+use peelkit_scene::Scene;
+
+/// A scene in which keys are varied.
+pub struct Sweep<'s> {
+    scene: &'s Scene,
+    cases: Cases,
+    /// The point that is followed, where no whole paths are computed
+    follow: Option<PointKind>,
+    /// What this is a part of, where the sweep is divided
+    part: Option<PartHeader>,
+}
+
+impl<'s> Sweep<'s> {
+    /// Refuses what has no meaning for what a scene describes: to follow a point, and to divide the sweep.
+    ///
+    /// Fails with the reason.
+    pub fn allows(scene: &Scene, follows: bool, divided: bool) -> Result<(), Refusal> {
+        let [followed, whole, divides] = if scene.time.is_some() {
+            [
+                "--follow and --peak-only have no meaning for a pull at a rate: they follow a limit point of equilibria",
+                "Omit them: each value is pulled as a whole.",
+                "--part divides sweeps of equilibria, and this is one of pulls at a rate",
+            ]
+        } else if scene.seta.is_some() {
+            [
+                "--follow and --peak-only have no meaning for a seta: they follow a limit point of one beam",
+                "Omit them: each value is pulled off as a whole.",
+                "--part divides sweeps of single beams, and this is one of setae",
+            ]
+        } else {
+            return Ok(());
+        };
+        if follows {
+            return Err(Refusal::asked(followed, whole));
+        }
+        if divided {
+            return Err(Refusal::asked(
+                divides,
+                "Omit it, and give each machine values of its own with --from and --to, or --values.",
+            ));
+        }
+        Ok(())
+    }
+
+    /// Of these cases of a scene, as whole paths and pulls, or one point of the peel followed over them; of a divided sweep one part.
+    ///
+    /// Fails where that has no meaning for the scene, and where it would change nothing.
+    pub fn of(
+        scene: &'s Scene,
+        cases: Cases,
+        follow: Option<PointKind>,
+        part: Option<PartHeader>,
+    ) -> Result<Self, Refusal> {
+        Self::allows(scene, follow.is_some(), part.is_some())?;
+        no_effect::refuse(scene, &cases)?;
+        if let Some(why) = follow.and_then(|_| follow::not_followed(&cases)) {
+            return Err(Refusal::asked(
+                format!("--follow computes a limit point {why}"),
+                "Omit --follow and --peak-only: the sweep then computes whole paths.",
+            ));
+        }
+        Ok(Self { scene, cases, follow, part })
+    }
+
+    /// What is found of every case: the rows, and what an earlier run has found of them.
+    fn rows<F: Storable + Send + Sync, R>(
+        &self,
+        session: &Session,
+        of: &(dyn Fn(&Case) -> F + Sync),
+        row: impl Fn(Found<F>) -> R,
+    ) -> Result<(Vec<R>, usize), Refusal> {
+        let part = self.part.as_ref().map(|header| header.part);
+        let (found, taken) = compute(session, (self.scene, part), &self.cases, of)?;
+        Ok((found.into_iter().map(row).collect(), taken))
+    }
+}
+
+impl Analysis for Sweep<'_> {
+    type Found = SweepOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        self.follow.is_none().then_some(<PartialSweep>::NAME)
+    }
+
+    fn run(&self, session: &Session) -> Result<SweepOutcome, Refusal> {
+        let Self { scene, cases, .. } = self;
+        let setae = Setae::like(scene);
+        let (rows, taken) = if let Some(kind) = self.follow {
+            let (sweep, seconds) = follow::follow(kind, cases, session);
+            (Rows::Followed(sweep, seconds), 0)
+        } else if scene.time.is_some() {
+            let (rows, taken) = self.rows(session, &|case| pull(&case.scene, &setae, session), pull_row)?;
+            (Rows::Rates(rows), taken)
+        } else if scene.seta.is_some() {
+            let of = |case: &Case| setae.pull_off(&case.scene, &session.stop_of_one(&case.scene));
+            let (rows, taken) = self.rows(session, &of, pull_row)?;
+            (Rows::Setae(rows), taken)
+        } else {
+            let (rows, taken) = self.rows(session, &|case| peel(&case.scene, session), peel_row)?;
+            (Rows::Peels(rows), taken)
+        };
+        let taken = (taken > 0)
+            .then(|| format!("{taken} of {} values taken from an earlier, interrupted run", cases.all.len()));
+        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
+        Ok(SweepOutcome { kept, part: self.part.clone(), ..SweepOutcome::of(cases, rows, taken.into_iter().collect()) })
+    }
+}
+
+fn peel(scene: &Scene, session: &Session) -> PeelResult {
+    PeelResult::from(&study::peel(&scene.model, &scene.accuracy, &session.stop_of_one(scene)))
+}
+
+fn peel_row(Found { case, found, solve_s }: Found<PeelResult>) -> SweepRow {
+    let Case { value, second, scene } = case;
+    SweepRow { value: *value, second: *second, model: scene.model.clone(), found, solve_s }
+}
+
+/// The pull of a scene at its rate, or why there is none.
+fn pull(scene: &Scene, setae: &Setae, session: &Session) -> Result<RateResult, String> {
+    let Some(table) = &scene.time else { return Err("the scene has no [time]".to_owned()) };
+    let stop = session.stop_of_one(scene);
+    let (pulled, failed) = match &scene.seta {
+        None => {
+            let (pulled, failed) = pull_beam(scene, table, &stop).map_err(|why| why.to_string())?;
+            (PulledAtRate::from(&pulled), failed)
+        }
+        Some(seta) => {
+            let model = setae.model(scene, seta)?;
+            let pulled = pull_seta(scene, (table, seta), &model, &stop);
+            let (pulled, failed) = pulled.map_err(|why| why.to_string())?;
+            (PulledAtRate::from(&pulled), failed)
+        }
+    };
+    Ok(RateResult::new(&pulled, failed))
+}
+
+fn pull_row<F>(Found { case, found, solve_s }: Found<Result<F, String>>) -> PullRow<F> {
+    PullRow { value: case.value, second: case.second, found, solve_s }
+}

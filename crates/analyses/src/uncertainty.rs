@@ -1,0 +1,189 @@
+//! Keys of a scene that have distributions, sampled and propagated.
+
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::sampled_seta::SampledSeta;
+use crate::session::{Progress, Session};
+use crate::seta::Setae;
+use peelkit::study::StopCriteria;
+use peelkit::study::uncertainty::{
+    self, ALONE_AT, Analysis as Found, DerivativesBy, Design, SamplePlace, Sampled, SampledPeel, one_at_a_time,
+    taylor_by_differences, taylor_polynomials,
+};
+use peelkit_report::{self as report, PartialFile, PartialUncertainty, ReportError, UncertaintySummary, timed};
+use peelkit_scene::{Scene, UncertaintyTable};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What the distributions of a scene make of its results: of its peel, or of the pull-off of its seta.
+pub struct Uncertainty<'s> {
+    scene: &'s Scene,
+    table: &'s UncertaintyTable,
+    design: Design,
+}
+
+impl<'s> Uncertainty<'s> {
+    /// Of a scene.
+    ///
+    /// Fails where it does not say what is uncertain, and where that cannot be sampled.
+    pub fn of(scene: &'s Scene) -> Result<Self, Refusal> {
+        let table = scene.uncertainty.as_ref().ok_or_else(|| {
+            Refusal::scene(
+                "nothing is uncertain in this scene: it lacks the table [uncertainty]",
+                "Add a line [uncertainty] and below it for example inputs = [{ key = \"strip.height\", distribution = \"normal\", deviation = \"0.5 nm\" }]",
+            )
+        })?;
+        let design =
+            Design::new(table.plan(scene)).map_err(|error| Refusal::asked(error, "See peel keys uncertainty."))?;
+        Ok(Self { scene, table, design })
+    }
+}
+
+/// What was found of a sample.
+pub struct UncertaintyOutcome {
+    /// The sample, and beside it what derivatives give
+    pub analysis: Found,
+    /// That it took
+    pub seconds: f64,
+    /// Samples of an earlier run
+    pub taken: usize,
+    kept: Option<PathBuf>,
+}
+
+impl Analysis for Uncertainty<'_> {
+    type Found = UncertaintyOutcome;
+
+    fn checkpoint(&self) -> Option<&'static str> {
+        Some(PartialUncertainty::NAME)
+    }
+
+    fn run(&self, session: &Session) -> Result<UncertaintyOutcome, Refusal> {
+        let Self { scene, table, .. } = *self;
+        let partial = session.open(|dir| PartialUncertainty::open(dir, scene))?;
+        session.watcher.see(Progress::Begin(self.design.samples()));
+        let taken = AtomicUsize::new(0);
+        let samples = Samples { design: &self.design, partial: partial.as_ref(), taken: &taken, session };
+        // a sample that is kept is computed to its end; what is beside the samples is not kept
+        let one: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop_of_one(scene);
+        let beside: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop(scene);
+        let (analysis, seconds) = timed(|| match &scene.seta {
+            None => {
+                let model = |values: &[f64]| {
+                    table.model(scene, values).map_err(|error| format!("{}. {}", error.found, error.remedy))
+                };
+                let with = |stop| SampledPeel { model: &model, of: &table.quantities, accuracy: &scene.accuracy, stop };
+                let taylors = taylor_polynomials(self.design.plan(), &with(beside));
+                self.analysis(taylors, &with(beside), &with(one), &samples)
+            }
+            Some(_) => {
+                let setae = Setae::like(scene);
+                let with = |stop| SampledSeta { scene, table, setae: &setae, stop };
+                let taylors = taylor_by_differences(self.design.plan(), &with(beside));
+                self.analysis((taylors, DerivativesBy::Differences), &with(beside), &with(one), &samples)
+            }
+        });
+        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
+        Ok(UncertaintyOutcome { analysis: analysis?, seconds, taken: taken.into_inner(), kept })
+    }
+}
+
+impl Uncertainty<'_> {
+    /// The sample, with these polynomials, and each input alone.
+    fn analysis(
+        &self,
+        taylors: (Vec<Option<uncertainty::Taylor>>, DerivativesBy),
+        beside: &dyn Sampled,
+        one: &dyn Sampled,
+        samples: &Samples,
+    ) -> Result<Found, ReportError> {
+        let alone = one_at_a_time(self.design.plan(), ALONE_AT, beside);
+        let outcomes = samples.of(one)?;
+        Ok(Found::new(self.design.clone(), &self.table.quantities, outcomes, taylors, alone))
+    }
+}
+
+/// The samples of one run.
+struct Samples<'s> {
+    design: &'s Design,
+    partial: Option<&'s PartialUncertainty>,
+    /// Samples of an earlier run
+    taken: &'s AtomicUsize,
+    session: &'s Session<'s>,
+}
+
+impl Samples<'_> {
+    /// The outcomes in the order of the samples, those of an earlier run among them; some are missing where it was asked to stop.
+    ///
+    /// Fails where one cannot be kept.
+    fn of(&self, one: &dyn Sampled) -> Result<Vec<Option<uncertainty::Outcome>>, ReportError> {
+        let Self { design, partial, taken, session } = *self;
+        let trouble = OnceLock::new();
+        let run = |at: SamplePlace| {
+            if let Some(found) = partial.and_then(|partial| partial.found(at)) {
+                taken.fetch_add(1, Ordering::Relaxed);
+                session.watcher.see(Progress::Known);
+                return found.clone();
+            }
+            let outcome = one.outcome(&design.inputs(at));
+            if let Some(Err(error)) = partial.map(|partial| partial.keep(at, &outcome)) {
+                // only the first one is reported
+                let _ = trouble.set(error);
+            }
+            session.watcher.see(Progress::Done);
+            outcome
+        };
+        let outcomes = uncertainty::sample(design, &|| !session.watcher.asked() && trouble.get().is_none(), &run);
+        trouble.into_inner().map_or(Ok(outcomes), Err)
+    }
+}
+
+impl UncertaintyOutcome {
+    fn summary(&self, scene: &Scene) -> UncertaintySummary {
+        UncertaintySummary::new(scene, &self.analysis, self.seconds)
+    }
+
+    /// Samples that were computed, of so many.
+    fn done(&self) -> [usize; 2] {
+        [self.analysis.computed(), self.analysis.design.samples()]
+    }
+}
+
+impl Outcome for UncertaintyOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(self.summary(scene), command, UncertaintySummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let mut files = vec![self.summary(scene).with_command(command).write(dir)?];
+        files.extend(report::write_uncertainty(dir, &self.analysis)?);
+        files.push(report::write_samples(dir, &self.analysis)?);
+        files.push(report::write_parameters(dir, scene, command)?);
+        files.extend(report::draw_uncertainty(&self.analysis, &scene.title, dir)?);
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        let [computed, _] = self.done();
+        let reasons = self.analysis.cut_short();
+        let count: usize = reasons.iter().map(|of| of.count).sum();
+        let short = (count > 0).then(|| {
+            let lines =
+                reasons.iter().map(|of| format!("\n{} times, first at sample {}: {}", of.count, of.first, of.reason));
+            format!("{count} of {computed} samples{}", lines.collect::<String>())
+        });
+        End::of_many(self.done(), "samples", short)
+    }
+
+    fn is_written(&self) -> bool {
+        self.analysis.computed() > 0
+    }
+
+    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+        let [computed, samples] = self.done();
+        match self.kept.as_ref().filter(|_| written && computed == samples) {
+            Some(folder) => PartialUncertainty::discard(folder).map(|()| None),
+            None => Ok(None),
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! `peel run`: the whole peel of one scene.
+
+use crate::drive::Drive;
+use crate::help;
+use crate::input::SceneArgs;
+use crate::output::OutArgs;
+use crate::progress::Bar;
+use crate::stop::Stop;
+use crate::text_summary::{self, LawOfTips, UnitsArgs, WantedUnits};
+use clap::Args;
+use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
+use peelkit_scene::Scene;
+use std::path::PathBuf;
+
+/// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
+#[derive(Args)]
+#[command(after_help = help::RUN, after_long_help = help::run())]
+pub struct Run {
+    #[command(flatten)]
+    scene: SceneArgs,
+
+    #[command(flatten)]
+    out: OutArgs,
+
+    /// Adds a displacement-controlled test: stable branches and jumps
+    ///
+    /// The machine retreats until the beam is off, and returns. Jumps come with the energy that they release.
+    #[arg(long)]
+    observed: bool,
+
+    /// Adds the stability of the planar path against leaving its plane
+    ///
+    /// Where a free strip rolls or buckles sideways. For a grip that is free to roll and to rotate.
+    #[arg(long)]
+    out_of_plane: bool,
+
+    /// Follows the branch that leaves the plane in space; implies --out-of-plane
+    ///
+    /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
+    #[arg(long)]
+    branch: bool,
+
+    /// Adds by which power of each parameter the results change
+    ///
+    /// d ln Q/d ln p of peaks, plateau, first jump and detachment, with bounds: sensitivities.svg, summary.json.
+    #[arg(long)]
+    sensitivities: bool,
+
+    /// Writes the fields along the beam: states.csv, states.pvd
+    ///
+    /// At every limit point, and at N points evenly along the path, its two ends among them.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1_000))]
+    states: Option<u32>,
+
+    /// Writes animation.html, the peel as a browser plays it
+    #[arg(long)]
+    animate: bool,
+
+    /// Discards the checkpoint of an unfinished run and starts anew
+    #[arg(long)]
+    fresh: bool,
+
+    #[command(flatten)]
+    units: UnitsArgs,
+
+    /// Prints summary.json alone; writes files only if --out is given
+    #[arg(long)]
+    json: bool,
+}
+
+impl Run {
+    /// Where files go, if they are written.
+    fn folder(&self) -> Option<PathBuf> {
+        self.out.folder(self.json, || self.scene.default_folder(&self.folder_parts()))
+    }
+
+    /// What the name of the folder says of the run.
+    fn folder_parts(&self) -> Vec<String> {
+        let states = self.states.map(|count| format!("states={count}"));
+        let asked = [
+            (self.observed, "observed"),
+            (self.out_of_plane && !self.branch, "out-of-plane"),
+            (self.branch, "branch"),
+            (self.sensitivities, "sensitivities"),
+        ];
+        asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).collect()
+    }
+
+    fn asked(&self) -> Asked {
+        Asked {
+            observed: self.observed,
+            out_of_plane: self.out_of_plane,
+            branch: self.branch,
+            sensitivities: self.sensitivities,
+            states: self.states,
+            animate: self.animate,
+        }
+    }
+
+    fn refuse_states_without_files(&self) -> Result<(), Stop> {
+        match (self.states, self.folder()) {
+            (Some(_), None) => Err(Stop::bad_input(
+                "--states writes files, and --json without --out writes none",
+                "Give a folder with --out DIR, or omit --states.",
+            )),
+            _ => Ok(()),
+        }
+    }
+}
+
+pub fn run(args: &Run) -> Result<(), Stop> {
+    let scene = args.scene.load_any()?;
+    args.refuse_states_without_files()?;
+    let analysis = Analysis::of(&scene, args.asked()).map_err(|why| Stop::refused(&scene, why))?;
+    let wanted = args.units.wanted()?;
+    let folder = args.folder();
+    let answer = match analysis {
+        Analysis::Peel(_) => folder.is_some().then_some(
+            "stopping at the next point of the path, then locating the limit points of what was reached; Ctrl-C again stops at once",
+        ),
+        Analysis::Seta(_) => Some("stopping at the next equilibrium of the seta; Ctrl-C again stops at once"),
+        Analysis::Rate(_) => Some("stopping at the next step in time; Ctrl-C again stops at once"),
+    };
+    let (fresh, json) = (args.fresh, args.json);
+    let drive = Drive { scene: &scene, out: &args.out, folder, fresh, json, bar: Bar::run(), answer };
+    drive.run(&analysis, |found| match found {
+        RunOutcome::Peel(found) => of_peel(&scene, found, wanted),
+        RunOutcome::Seta(found) => of_seta(&scene, found, wanted),
+        RunOutcome::Rate(found) => of_rate(&scene, found, wanted),
+    })
+}
+
+fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
+    let [.., test_s] = found.beside_s;
+    let beside = (found.stability.as_ref(), found.branch.as_ref());
+    let mut text = text_summary::peel(scene, &found.peel, beside, found.seconds, wanted);
+    if let Some(test) = &found.test {
+        text += &format!("\n{}", text_summary::observed(test, test_s, wanted));
+    }
+    if let Some(exponents) = &found.exponents {
+        let text_of = text_summary::sensitivities(&exponents.found, &exponents.keys, &exponents.refused);
+        text += &format!("\n{text_of}");
+    }
+    text + &text_summary::taken(found.taken)
+}
+
+fn of_seta(scene: &Scene, found: &SetaOutcome, wanted: WantedUnits) -> String {
+    let (law, pulled) = ((&found.tip, found.table(), found.outside.as_ref()), (found.pull_off(), found.peak.as_ref()));
+    let text = text_summary::seta(scene, &found.model, law, pulled, found.seconds.iter().sum(), wanted);
+    text + &text_summary::equilibria_taken(found.taken)
+}
+
+fn of_rate(scene: &Scene, found: &RateOutcome, wanted: WantedUnits) -> String {
+    let law = match &found.of {
+        Pull::Beam(_) => None,
+        Pull::Seta(own) => {
+            Some(LawOfTips { tips: own.seta.tips(), curve: &own.tip, events: &own.pulled.events, seconds: own.tip_s })
+        }
+    };
+    let solve_s = found.seconds.iter().sum::<f64>() + law.as_ref().map_or(0.0, |law| law.seconds);
+    let end = (found.failed.as_deref(), solve_s);
+    text_summary::rate(scene, (&found.pulled, &found.equilibria), law, end, wanted)
+}

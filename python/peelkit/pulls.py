@@ -1,0 +1,144 @@
+"""The pull-off of a seta, and pulls at a rate."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from . import _native
+from .curve import Columns, PullOffCurve, RateCurve, of_columns
+from .errors import ComputationError
+from .found import Found
+from .points import Peak
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["PullAtRate", "PullOff"]
+
+
+class _Pull(Found):
+    """A pull, as far as it went."""
+
+    def __init__(self, native: _native.Found | None, summary: dict[str, Any], curve: Columns) -> None:
+        super().__init__(native, summary)
+        self._curve = curve
+
+    @property
+    def end(self) -> str:
+        """How it ended: ``"detached"``, ``"bound"``, ``"failed"`` and others, as `summary()` has it."""
+        end: str = self._found["end"]
+        return end
+
+    @property
+    def reason(self) -> str | None:
+        """Why it ended, where it stopped short."""
+        reason: str | None = self._found["reason"]
+        return reason
+
+    def raise_for_failure(self) -> None:
+        """Raise where the computation stopped short.
+
+        Raises
+        ------
+        ComputationError
+            With the reason.
+        """
+        if self.end == "failed":
+            raise ComputationError(f"the computation stopped short: {self.reason}")
+
+    def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
+        """Plot the force against the displacement.
+
+        Parameters
+        ----------
+        ax : matplotlib axes, optional
+            Where to plot; the current axes of pyplot when absent.
+        **style
+            Of the line, as for `Axes.plot`.
+        """
+        from . import plotting
+
+        return plotting.pull(self._curve, ax, style)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Every number; what is read again cannot be saved."""
+        return type(self), (None, self._found, self._curve)
+
+
+class PullOff(_Pull):
+    """The pull-off of a seta, event by event; :meth:`Scene.run` of a scene with a seta makes one."""
+
+    @classmethod
+    def _of(cls, native: _native.Found) -> PullOff:
+        return cls(native, cls._read(native), of_columns(PullOffCurve, native.columns()))
+
+    @property
+    def curve(self) -> PullOffCurve:
+        """The stable equilibria as arrays: the columns of ``curve.csv``."""
+        assert isinstance(self._curve, PullOffCurve)
+        return self._curve
+
+    @property
+    def tips(self) -> int:
+        """How many tips the seta has."""
+        tips: int = self._found["tips"]
+        return tips
+
+    @property
+    def peak(self) -> dict[str, Any] | None:
+        """The largest force along the last step, an object of ``summary.json``: None where there is none."""
+        peak: dict[str, Any] | None = self.summary()["peak"]
+        return peak
+
+    @property
+    def peak_force(self) -> float | None:
+        """The largest force along the last step, nN."""
+        return None if self.peak is None else float(self.peak["force_nN"])
+
+    @property
+    def events(self) -> dict[str, int]:
+        """How many events there are, and how many tips take part: an object of ``summary.json``."""
+        events: dict[str, int] = self.summary()["events"]
+        return events
+
+    def __repr__(self) -> str:
+        """Title, end and peak."""
+        force = "no peak" if self.peak_force is None else f"peak {self.peak_force:.6g} nN"
+        return f"<PullOff of {self._found['title']!r}: {self.end}, {force}, {self.tips} tips>"
+
+
+class PullAtRate(_Pull):
+    """The pull of a beam or of a seta at its rate; :meth:`Scene.run` of a scene with a table ``time`` makes one."""
+
+    @classmethod
+    def _of(cls, native: _native.Found) -> PullAtRate:
+        return cls(native, cls._read(native), of_columns(RateCurve, native.columns()))
+
+    @property
+    def curve(self) -> RateCurve:
+        """The steps in time as arrays: the columns of ``curve.csv``."""
+        assert isinstance(self._curve, RateCurve)
+        return self._curve
+
+    @property
+    def largest_force(self) -> float:
+        """nN."""
+        force: float = self._found["largest_force"]["force_nN"]
+        return force
+
+    @property
+    def contact_lost(self) -> float | None:
+        """When nothing adhered any more, s; None where something did to the end."""
+        time: float | None = self._found["contact_lost_s"]
+        return time
+
+    @property
+    def over_equilibria(self) -> float | None:
+        """The largest force over that of the equilibria beside it; None where these have none."""
+        ratio: float | None = self._found["force_over_equilibria"]
+        return ratio
+
+    def __repr__(self) -> str:
+        """Title, end and largest force."""
+        return f"<PullAtRate of {self._found['title']!r}: {self.end}, largest force {self.largest_force:.6g} nN>"
