@@ -88,7 +88,7 @@ impl Analysis for Optimisation<'_> {
 }
 
 impl OptimisationOutcome {
-    fn summary(&self, scene: &Scene) -> OptimisationSummary {
+    fn summary<'a>(&'a self, scene: &'a Scene) -> OptimisationSummary<'a> {
         OptimisationSummary::new(scene, &self.problem, &self.optimum, self.seconds)
     }
 

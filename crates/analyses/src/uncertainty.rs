@@ -139,7 +139,7 @@ impl Samples<'_> {
 }
 
 impl UncertaintyOutcome {
-    fn summary(&self, scene: &Scene) -> UncertaintySummary {
+    fn summary<'a>(&'a self, scene: &'a Scene) -> UncertaintySummary<'a> {
         UncertaintySummary::new(scene, &self.analysis, self.seconds)
     }
 

@@ -193,7 +193,7 @@ impl PeelOutcome {
         }
     }
 
-    fn summary(&self, scene: &Scene) -> PeelSummary {
+    fn summary<'a>(&'a self, scene: &'a Scene) -> PeelSummary<'a> {
         let [stability_s, branch_s, test_s] = self.beside_s;
         let mut summary = PeelSummary::new(scene, &self.peel, self.seconds);
         if let Some(test) = &self.test {

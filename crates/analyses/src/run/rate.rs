@@ -144,7 +144,7 @@ fn not_begun(why: &InTimeFailureKind) -> Refusal {
 }
 
 impl RateOutcome {
-    fn summary(&self, scene: &Scene) -> RateSummary {
+    fn summary<'a>(&'a self, scene: &'a Scene) -> RateSummary<'a> {
         let summary = RateSummary::new(scene, &self.pulled, &self.equilibria, self.failed.as_deref(), self.seconds);
         match &self.of {
             Pull::Beam(_) => summary,

@@ -6,11 +6,10 @@ use super::no_effect;
 use crate::outcome::{End, Outcome, by};
 use peelkit::study::{FollowedSweep, Remark, SetaResult};
 use peelkit_report::{
-    self as report, PartHeader, PartialFile, PartialSweep, PullRow, RateResult, ReportError, SweepPart, SweepRow,
-    SweepSummary, SweptKeys, seta_end_reason,
+    self as report, PartHeader, PartialFile, PartialSweep, PullRow, RateResult, Record, ReportError, SweepPart,
+    SweepRow, SweepSummary, SweptKeys, seta_end_reason,
 };
 use peelkit_scene::Scene;
-use serde::Serialize;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -122,7 +121,7 @@ fn alike<F: PartialEq>(rows: &[PullRow<F>]) -> bool {
     rows.len() > 1 && rows.iter().all(|row| row.found.is_ok() && row.found == rows[0].found)
 }
 
-fn text<L: Serialize>(summary: SweepSummary<L>, command: Option<&str>) -> io::Result<String> {
+fn text<L: Record>(summary: SweepSummary<L>, command: Option<&str>) -> io::Result<String> {
     by(summary, command, SweepSummary::with_command).to_json()
 }
 

@@ -123,7 +123,7 @@ impl SetaOutcome {
         self.law.growing()
     }
 
-    fn summary(&self, scene: &Scene) -> SetaSummary {
+    fn summary<'a>(&'a self, scene: &'a Scene) -> SetaSummary<'a> {
         SetaSummary::new(scene, &self.model.seta, &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
             .with_table(self.table())
             .with_outside(self.outside.as_ref())
