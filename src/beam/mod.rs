@@ -44,11 +44,10 @@ pub use spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};
 pub use spatial::rotation;
 pub use spatial::section::density::SpatialDensity;
 pub use spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-pub use spatial::section::section_state::{SpatialIntegrals, SpatialSectionState};
 pub use spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
 pub use spatial::section::strain_memory::SpatialKnownStrains;
+pub use spatial::section_state::{GripReactions, SpatialIntegrals, SpatialSectionPlace, SpatialSectionState};
 pub use spatial::spatial_beam::{SpatialBeam, SpatialInertia};
-pub use spatial::spatial_grip::{GripReactions, SpatialSectionPlace};
 pub use spatial::tree::beam_tree::BeamTree;
 pub use spatial::tree::branching_beam::{
     Branch, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError,

@@ -3,9 +3,8 @@
 use super::points::{DeformedShape, LimitPoint};
 use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::planar_beam::PlanarBeam;
-use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::section_state::{SpatialSectionPlace, SpatialSectionState};
 use crate::beam::spatial::spatial_beam::SpatialBeam;
-use crate::beam::spatial::spatial_grip::SpatialSectionPlace;
 use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;

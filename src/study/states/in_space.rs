@@ -1,7 +1,7 @@
 //! The fields of one equilibrium along a beam in space, sampled as those of a planar beam are.
 
 use crate::adhesion::spatial_section::section::SectionShape;
-use crate::beam::spatial::section::section_state::SpatialSectionState;
+use crate::beam::spatial::section_state::SpatialSectionState;
 use crate::beam::spatial::spatial_beam::SpatialBeam;
 use crate::model::peel::PeelModel;
 use crate::number::gauss::gauss_legendre;

@@ -12,7 +12,7 @@ pub const SPATIAL_UNKNOWNS: usize = 6;
 pub const SPATIAL_FIELDS: usize = 7;
 
 /// What is known at a point: lengths, the frame, the strains.
-pub(super) struct Kinematics<T> {
+pub(crate) struct Kinematics<T> {
     /// 1/|q|
     pub per_length: T,
     /// q̂

@@ -6,7 +6,7 @@ use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::number::Real;
 
 /// Adhesion at a point: energy, the derivatives by y and (α, ω), and what the front is counted by.
-pub(super) struct LocalAdhesion<T> {
+pub(crate) struct LocalAdhesion<T> {
     pub energy: T,
     pub by_height: T,
     pub by_value: [T; 4],

@@ -1,7 +1,6 @@
 //! The section of a beam in space: stiffness, strains, energy density, and what it remembers.
 pub(crate) mod density;
 pub(crate) mod kinematics;
-mod local_adhesion;
-pub(crate) mod section_state;
+pub(super) mod local_adhesion;
 pub(crate) mod spatial_profile;
 pub(crate) mod strain_memory;
