@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 const PATH: &str = "docs/troubleshooting.md";
 
 /// What a message begins behind.
-const MARKS: [&str; 10] = [
+const MARKS: [&str; 13] = [
     "#[error(",
     "ValueError::new(",
     "bad_input(",
