@@ -3,8 +3,8 @@
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::session::Session;
 use peelkit::model::Hold;
-use peelkit::study::Terms;
 use peelkit::study::coarsening::{Coarsening, CoarseningError, CoarseningOptions, PadEnd, TipTable};
+use peelkit::study::{StopCriteria, StopReason, Terms};
 use peelkit_report::{self as report, ReportError, TipSummary, timed};
 use peelkit_scene::Scene;
 use std::io;
@@ -34,7 +34,12 @@ impl<'s> TipCoarsening<'s> {
                 "Give --set terms=all.",
             ));
         }
-        Ok(Self { scene, options })
+        // a search that is stopped at once comes to what of the model is refused, and solves nothing
+        let at_once = StopCriteria::default().or_when(|_| Some(StopReason::Interrupted));
+        match Coarsening::until(&scene.model, &options, &at_once) {
+            Ok(_) | Err(CoarseningError::Stopped { .. }) => Ok(Self { scene, options }),
+            Err(why) => Err(refused(&why)),
+        }
     }
 }
 
