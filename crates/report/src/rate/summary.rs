@@ -37,28 +37,28 @@ pub type RateSummary<'a> = Summary<'a, RateFound<'a>>;
 impl Record for RateFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`: nothing adheres any more; `still-attached` where the grip came to rest before; `failed`: the computation stopped short", |of| of.pulled.end(of.failed.is_some()));
-        of.field("reason", "why it stopped short; else null", |of| of.failed);
-        of.sometimes_part(|of| of.seta.as_ref());
-        of.field("largest_force", "the largest force of the pull", |of| Some(Largest { at: of.pulled.peak?, next: of.pulled.next_to_peak()? }));
-        of.field("contact_lost_s", "when nothing adheres any more for the first time; else null", |of| of.pulled.contact_lost.map(|time| S_PER_NS * time));
-        of.field("equilibria_peak", "first peak of the equilibria of the same scene, of a seta its peak; null where they have none", |of| of.equilibria.peak);
-        of.field("force_over_equilibria", "largest force of the pull over the peak of the equilibria; null without one", |of| Some(of.pulled.peak?.force / of.equilibria.peak?.force));
+        of.field("end", "`detached`: nothing adheres any more; `still-attached` where the grip came to rest before; `failed`: the computation stopped short", |found| found.pulled.end(found.failed.is_some()));
+        of.field("reason", "why it stopped short; else null", |found| found.failed);
+        of.sometimes_part(|found| found.seta.as_ref());
+        of.field("largest_force", "the largest force of the pull", |found| Some(Largest { at: found.pulled.peak?, next: found.pulled.next_to_peak()? }));
+        of.field("contact_lost_s", "when nothing adheres any more for the first time; else null", |found| found.pulled.contact_lost.map(|time| S_PER_NS * time));
+        of.field("equilibria_peak", "first peak of the equilibria of the same scene, of a seta its peak; null where they have none", |found| found.equilibria.peak);
+        of.field("force_over_equilibria", "largest force of the pull over the peak of the equilibria; null without one", |found| Some(found.pulled.peak?.force / found.equilibria.peak?.force));
         of.group("balance", "what became of the work, from rest to the end", |of| {
-            of.part(|of| Change(of.pulled.change()));
-            of.sometimes("released_aJ", "of a seta: the part of it that was released at events", |of| of.released());
-            of.field("imbalance", "largest defect of that balance at any step, over the largest work", |of| of.pulled.imbalance);
+            of.part(|found| Change(found.pulled.change()));
+            of.sometimes("released_aJ", "of a seta: the part of it that was released at events", |found| found.released());
+            of.field("imbalance", "largest defect of that balance at any step, over the largest work", |found| found.pulled.imbalance);
         });
         of.group("path", "computational cost", |of| {
-            of.field("steps", "steps in time, and points behind events", |of| of.pulled.steps());
-            of.field("steps_tried", "the same with those that were refused", |of| of.pulled.tried);
-            of.field("newton_iterations", "Newton iterations", |of| of.pulled.iterations);
-            of.field("elements", "elements of the mesh, which stays", |of| of.pulled.elements);
+            of.field("steps", "steps in time, and points behind events", |found| found.pulled.steps());
+            of.field("steps_tried", "the same with those that were refused", |found| found.pulled.tried);
+            of.field("newton_iterations", "Newton iterations", |found| found.pulled.iterations);
+            of.field("elements", "elements of the mesh, which stays", |found| found.pulled.elements);
         });
         of.group("timing", "wall clock", |of| {
-            of.sometimes("tip_s", "of a seta: of the law of the tips", |of| Some(of.seta?.tip_s));
-            of.field("solve_s", "of the pull in time", |of| of.solve_s);
-            of.field("equilibria_s", "of the equilibria", |of| of.equilibria_s);
+            of.sometimes("tip_s", "of a seta: of the law of the tips", |found| Some(found.seta?.tip_s));
+            of.field("solve_s", "of the pull in time", |found| found.solve_s);
+            of.field("equilibria_s", "of the equilibria", |found| found.equilibria_s);
         });
     }
 }
@@ -83,15 +83,15 @@ impl RateFound<'_> {
 impl Record for OfSeta<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("tips", "of a seta: number of tips", |of| of.tips);
+        of.field("tips", "of a seta: number of tips", |found| found.tips);
         of.group("events", "of a seta: where tips leave the branch of their law", |of| {
-            of.part(|of| TipEvents::of(of.pulled.events.iter().map(|event| &event.tips[..])));
-            of.field("unstable", "events that are losses of stability: the tips soften faster than the seta holds them", |of| of.pulled.events.iter().filter(|event| event.loss == TipLoss::Unstable).count());
+            of.part(|found| TipEvents::of(found.pulled.events.iter().map(|event| &event.tips[..])));
+            of.field("unstable", "events that are losses of stability: the tips soften faster than the seta holds them", |found| found.pulled.events.iter().filter(|event| event.loss == TipLoss::Unstable).count());
         });
         of.group("tip", "of a seta: the law of each tip", |of| {
             of.field("law", "what the tips follow: `curve`, the normal pull of their spatula", |_| "curve");
-            of.field("peak_force_nN", "largest force of its curve", |of| tip_peak(of.tip));
-            of.part(|of| RestOfTip(of.tip));
+            of.field("peak_force_nN", "largest force of its curve", |found| tip_peak(found.tip));
+            of.part(|found| RestOfTip(found.tip));
         });
     }
 }
@@ -105,12 +105,12 @@ struct Largest<'a> {
 impl Record for Largest<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("force_nN", "of a beam by a parabola through the three steps next to it, of a seta that of a step", |of| of.at.force);
-        of.field("displacement_nm", "of what moves the grip, or the root", |of| of.at.displacement);
-        of.field("time_s", "since the pull began", |of| S_PER_NS * of.at.time);
-        of.field("kinetic_aJ", "kinetic energy at the step next to it", |of| of.next.balance.kinetic);
-        of.field("dissipated_aJ", "dissipated up to that step", |of| of.next.balance.dissipated);
-        of.sometimes("tips_attached", "of a seta: number of tips that adhere there", |of| of.next.attached());
+        of.field("force_nN", "of a beam by a parabola through the three steps next to it, of a seta that of a step", |found| found.at.force);
+        of.field("displacement_nm", "of what moves the grip, or the root", |found| found.at.displacement);
+        of.field("time_s", "since the pull began", |found| S_PER_NS * found.at.time);
+        of.field("kinetic_aJ", "kinetic energy at the step next to it", |found| found.next.balance.kinetic);
+        of.field("dissipated_aJ", "dissipated up to that step", |found| found.next.balance.dissipated);
+        of.sometimes("tips_attached", "of a seta: number of tips that adhere there", |found| found.next.attached());
     }
 }
 

@@ -78,29 +78,29 @@ impl<'a> FitSummary<'a> {
 impl Record for FitReport<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`converged`; `stopped`: before the least sum of squares; `interrupted`: by Ctrl-C. The parameters are the best so far", |of| end(&of.fit.end).0);
-        of.field("reason", "why the search stopped; else null", |of| end(&of.fit.end).1);
-        of.field("fitted", "the parameters, in the order of the scene", |of| of.fitted());
-        of.field("correlations", "of the parameters, or of their logarithms where they are above zero: a row a parameter; null at a bound", |of| of.fit.correlations.clone());
-        of.field("condition", "largest over least singular value of the derivatives of the residuals by the parameters; null where the least is zero", |of| of.fit.condition);
-        of.field("combinations", "products of powers of the parameters above zero whose errors are independent, the largest first", |of| of.fit.combinations.as_slice());
-        of.field("pairs", "two parameters that the curve hardly tells apart, one of them poorly determined", |of| of.fit.pairs.iter().map(|pair| Pair { fit: of.fit, pair }).collect::<Vec<_>>());
+        of.field("end", "`converged`; `stopped`: before the least sum of squares; `interrupted`: by Ctrl-C. The parameters are the best so far", |found| end(&found.fit.end).0);
+        of.field("reason", "why the search stopped; else null", |found| end(&found.fit.end).1);
+        of.field("fitted", "the parameters, in the order of the scene", |found| found.fitted());
+        of.field("correlations", "of the parameters, or of their logarithms where they are above zero: a row a parameter; null at a bound", |found| found.fit.correlations.clone());
+        of.field("condition", "largest over least singular value of the derivatives of the residuals by the parameters; null where the least is zero", |found| found.fit.condition);
+        of.field("combinations", "products of powers of the parameters above zero whose errors are independent, the largest first", |found| found.fit.combinations.as_slice());
+        of.field("pairs", "two parameters that the curve hardly tells apart, one of them poorly determined", |found| found.fit.pairs.iter().map(|pair| Pair { fit: found.fit, pair }).collect::<Vec<_>>());
         of.group("data", "what was measured", |of| {
-            of.field("file", "the file as it was named on the command line", |of| of.file);
-            of.field("points", "points that were fitted", |of| of.fit.points.len());
-            of.field("behind_jump", "points behind the measured jump, which were not", |of| of.measured.behind_jump.len());
-            of.field("estimated_error_nN", "standard error of a force, estimated from the residuals; null where it was given", |of| of.fit.estimated_error);
-            of.field("before_start_of_model", "points before the path of the model begins", |of| of.fit.count(PointPlace::BeforeStart));
-            of.field("behind_jump_of_model", "points behind the first jump of the model", |of| of.fit.count(PointPlace::BehindJump));
+            of.field("file", "the file as it was named on the command line", |found| found.file);
+            of.field("points", "points that were fitted", |found| found.fit.points.len());
+            of.field("behind_jump", "points behind the measured jump, which were not", |found| found.measured.behind_jump.len());
+            of.field("estimated_error_nN", "standard error of a force, estimated from the residuals; null where it was given", |found| found.fit.estimated_error);
+            of.field("before_start_of_model", "points before the path of the model begins", |found| found.fit.count(PointPlace::BeforeStart));
+            of.field("behind_jump_of_model", "points behind the first jump of the model", |found| found.fit.count(PointPlace::BehindJump));
         });
-        of.field("jump", "the first jump; null where none was measured", |of| of.fit.jump);
-        of.field("sum_of_squares", "of the residuals over their standard errors", |of| of.fit.sum_of_squares);
-        of.field("degrees_of_freedom", "data less parameters", |of| of.fit.degrees_of_freedom);
-        of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero", |of| of.fit.displacement_zero);
-        of.field("warnings", "what is not to be trusted", |of| of.fit.warnings());
-        of.field("paths", "how many paths were computed", |of| of.fit.paths);
-        of.field("weightings", "how often residuals were weighted anew", |of| of.fit.weightings);
-        of.field("solve_s", "time of the fit", |of| of.solve_s);
+        of.field("jump", "the first jump; null where none was measured", |found| found.fit.jump);
+        of.field("sum_of_squares", "of the residuals over their standard errors", |found| found.fit.sum_of_squares);
+        of.field("degrees_of_freedom", "data less parameters", |found| found.fit.degrees_of_freedom);
+        of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero", |found| found.fit.displacement_zero);
+        of.field("warnings", "what is not to be trusted", |found| found.fit.warnings());
+        of.field("paths", "how many paths were computed", |found| found.fit.paths);
+        of.field("weightings", "how often residuals were weighted anew", |found| found.fit.weightings);
+        of.field("solve_s", "time of the fit", |found| found.solve_s);
     }
 }
 
@@ -137,16 +137,16 @@ struct Fitted<'a> {
 impl Record for Fitted<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("key", "the key of the scene", |of| of.parameter.key.as_str());
-        of.field("unit", "of its numbers here; null where it is a plain number", |of| Some(of.unit).filter(|unit| !unit.is_empty()));
-        of.field("initial", "where the search began: the value of the scene", |of| of.parameter.initial);
-        of.field("value", "where it ended", |of| of.parameter.value);
-        of.field("standard_error", "standard error of the value; null at a bound", |of| of.parameter.standard_error);
-        of.field("interval", "95 % confidence interval from the standard error, cut at the bounds of the search; null at a bound", |of| of.parameter.interval);
-        of.field("profile_interval", "95 % interval of the profile likelihood, an end null where it is not bounded; null where there is no profile", |of| of.parameter.profile.as_ref().map(|profile| profile.interval));
-        of.field("bounds", "between which it was searched for", |of| of.parameter.bounds);
-        of.field("at_bound", "whether the search ended at one of them", |of| of.parameter.at_bound.is_some());
-        of.field("poorly_determined", "whether half its interval is more than 10 % of its value", |of| of.parameter.poorly_determined);
+        of.field("key", "the key of the scene", |found| found.parameter.key.as_str());
+        of.field("unit", "of its numbers here; null where it is a plain number", |found| Some(found.unit).filter(|unit| !unit.is_empty()));
+        of.field("initial", "where the search began: the value of the scene", |found| found.parameter.initial);
+        of.field("value", "where it ended", |found| found.parameter.value);
+        of.field("standard_error", "standard error of the value; null at a bound", |found| found.parameter.standard_error);
+        of.field("interval", "95 % confidence interval from the standard error, cut at the bounds of the search; null at a bound", |found| found.parameter.interval);
+        of.field("profile_interval", "95 % interval of the profile likelihood, an end null where it is not bounded; null where there is no profile", |found| found.parameter.profile.as_ref().map(|profile| profile.interval));
+        of.field("bounds", "between which it was searched for", |found| found.parameter.bounds);
+        of.field("at_bound", "whether the search ended at one of them", |found| found.parameter.at_bound.is_some());
+        of.field("poorly_determined", "whether half its interval is more than 10 % of its value", |found| found.parameter.poorly_determined);
     }
 }
 
@@ -167,10 +167,10 @@ struct Pair<'a> {
 impl Record for Pair<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("keys", "their keys", |of| of.pair.parameters.map(|index| of.fit.parameters[index].key.as_str()));
-        of.field("correlation", "of the two", |of| of.pair.correlation);
-        of.field("exponent", "e: what is determined is the first times the second to the power e; null where one may be zero", |of| of.pair.exponent);
-        of.field("relative_error", "standard error of the logarithm of that; null likewise", |of| of.pair.relative_error);
+        of.field("keys", "their keys", |found| found.pair.parameters.map(|index| found.fit.parameters[index].key.as_str()));
+        of.field("correlation", "of the two", |found| found.pair.correlation);
+        of.field("exponent", "e: what is determined is the first times the second to the power e; null where one may be zero", |found| found.pair.exponent);
+        of.field("relative_error", "standard error of the logarithm of that; null likewise", |found| found.pair.relative_error);
     }
 }
 

@@ -52,25 +52,25 @@ impl<'a> ObservedSummary<'a> {
 impl Record for ObservedSummary<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`closed`, `returned`, `bonded-part-unstable`, `collapsed`, `bound` or `failed`", |of| test_end_word(&of.test.end));
-        of.field("reason", "why, where it is not `closed`", |of| test_end_reason(&of.test.end));
-        of.bounded(["pull_off_force_nN", "pull_off_error_nN"], "the largest force on the stable retreat", |of| of.test.pull_off.map(|peak| Bounded::new(peak.force, peak.force_error)));
-        of.field("pull_off_adheres", "what adheres at that force: `pad`, `edge` or `end face`", |of| of.test.pull_off.map(|peak| peak.adheres.word()));
-        of.field("before_upright", "the largest force before the beam first stood on its end face; null where it never does", |of| of.test.before_upright);
-        of.field("hysteresis_aJ", "∮ P dU", |of| of.test.hysteresis);
-        of.field("jumps", "all jumps, in order", |of| of.test.jumps.as_slice());
+        of.field("end", "`closed`, `returned`, `bonded-part-unstable`, `collapsed`, `bound` or `failed`", |found| test_end_word(&found.test.end));
+        of.field("reason", "why, where it is not `closed`", |found| test_end_reason(&found.test.end));
+        of.bounded(["pull_off_force_nN", "pull_off_error_nN"], "the largest force on the stable retreat", |found| found.test.pull_off.map(|peak| Bounded::new(peak.force, peak.force_error)));
+        of.field("pull_off_adheres", "what adheres at that force: `pad`, `edge` or `end face`", |found| found.test.pull_off.map(|peak| peak.adheres.word()));
+        of.field("before_upright", "the largest force before the beam first stood on its end face; null where it never does", |found| found.test.before_upright);
+        of.field("hysteresis_aJ", "∮ P dU", |found| found.test.hysteresis);
+        of.field("jumps", "all jumps, in order", |found| found.test.jumps.as_slice());
         of.group("work_balance", "work of the machine against energy", |of| {
-            of.field("retreat", "from rest to detachment", |of| of.test.retreat);
-            of.field("cycle", "there and back", |of| of.test.cycle);
+            of.field("retreat", "from rest to detachment", |found| found.test.retreat);
+            of.field("cycle", "there and back", |found| found.test.cycle);
         });
-        of.field("accuracy_reached", "largest relative bound of the test", |of| finite(of.test.reached));
+        of.field("accuracy_reached", "largest relative bound of the test", |found| finite(found.test.reached));
         of.group("effort", "computational cost of the test", |of| {
-            of.field("points", "points", |of| of.test.effort.points);
-            of.field("newton_iterations", "Newton iterations", |of| of.test.effort.newton_iterations);
-            of.field("relaxation_steps", "steps of the gradient flow", |of| of.test.effort.relaxation_steps);
-            of.field("elements", "elements", |of| of.test.effort.elements);
-            of.field("order", "their order", |of| of.test.effort.order);
-            of.field("solve_s", "time", |of| of.solve_s);
+            of.field("points", "points", |found| found.test.effort.points);
+            of.field("newton_iterations", "Newton iterations", |found| found.test.effort.newton_iterations);
+            of.field("relaxation_steps", "steps of the gradient flow", |found| found.test.effort.relaxation_steps);
+            of.field("elements", "elements", |found| found.test.effort.elements);
+            of.field("order", "their order", |found| found.test.effort.order);
+            of.field("solve_s", "time", |found| found.solve_s);
         });
     }
 }

@@ -84,21 +84,21 @@ impl<'a> OptimisationSummary<'a> {
 impl Record for Optimised<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("of", "the number of the peel that is optimised, by its name in the summary of `peel run`", |of| of.problem.objective.quantity().name());
-        of.field("goal", "`maximise` or `minimise`", |of| goal_word(of.problem.goal));
-        of.field("holding_angle_rad", "angle of the pull above the line of a ratio; null where the objective is none", |of| of.angles().map(|[holding, _]| holding));
-        of.field("release_angle_rad", "angle of the pull below the line", |of| of.angles().map(|[_, release]| release));
-        of.field("before", "the design of the scene", |of| DesignFound { problem: of.problem, design: &of.optimum.before });
-        of.field("after", "the best design", |of| DesignFound { problem: of.problem, design: &of.optimum.after });
-        of.field("gain", "objective after over objective before", |of| of.optimum.gain);
-        of.field("gain_error", "bound on the error of that", |of| of.optimum.gain_error);
-        of.field("variables", "what is free: parameters, then widths and heights from the free end on", |of| of.variables());
-        of.field("constraints", "how many constraints there are beside the bounds", |of| of.problem.constraints.len());
-        of.field("searches", "an object for each search; the last one is that without gradients where `optimise.check` is true", |of| of.optimum.searches.as_slice());
-        of.field("best_search", "which of them has found the best design, from 0", |of| of.optimum.best_search);
-        of.field("certificate", "why the best design is an optimum; null after an interruption", |of| of.optimum.certificate.as_ref());
-        of.field("unfinished", "whether it was interrupted", |of| of.optimum.unfinished);
-        of.group("timing", "time", |of| of.field("solve_s", "of all searches and the certificate", |of| of.solve_s));
+        of.field("of", "the number of the peel that is optimised, by its name in the summary of `peel run`", |found| found.problem.objective.quantity().name());
+        of.field("goal", "`maximise` or `minimise`", |found| goal_word(found.problem.goal));
+        of.field("holding_angle_rad", "angle of the pull above the line of a ratio; null where the objective is none", |found| found.angles().map(|[holding, _]| holding));
+        of.field("release_angle_rad", "angle of the pull below the line", |found| found.angles().map(|[_, release]| release));
+        of.field("before", "the design of the scene", |found| DesignFound { problem: found.problem, design: &found.optimum.before });
+        of.field("after", "the best design", |found| DesignFound { problem: found.problem, design: &found.optimum.after });
+        of.field("gain", "objective after over objective before", |found| found.optimum.gain);
+        of.field("gain_error", "bound on the error of that", |found| found.optimum.gain_error);
+        of.field("variables", "what is free: parameters, then widths and heights from the free end on", |found| found.variables());
+        of.field("constraints", "how many constraints there are beside the bounds", |found| found.problem.constraints.len());
+        of.field("searches", "an object for each search; the last one is that without gradients where `optimise.check` is true", |found| found.optimum.searches.as_slice());
+        of.field("best_search", "which of them has found the best design, from 0", |found| found.optimum.best_search);
+        of.field("certificate", "why the best design is an optimum; null after an interruption", |found| found.optimum.certificate.as_ref());
+        of.field("unfinished", "whether it was interrupted", |found| found.optimum.unfinished);
+        of.group("timing", "time", |of| of.field("solve_s", "of all searches and the certificate", |found| found.solve_s));
     }
 }
 
@@ -137,9 +137,9 @@ struct DesignFound<'a> {
 impl Record for DesignFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("objective", "the objective, in the unit of `of`; a ratio has none", |of| of.design.objective);
-        of.field("error", "bound on its error; null where the number of the peel has none", |of| of.design.error);
-        of.field("volume_nm3", "volume of the body, nm³", |of| (of.problem.model)(&of.design.values).map(|model| volume(&model)));
+        of.field("objective", "the objective, in the unit of `of`; a ratio has none", |found| found.design.objective);
+        of.field("error", "bound on its error; null where the number of the peel has none", |found| found.design.error);
+        of.field("volume_nm3", "volume of the body, nm³", |found| (found.problem.model)(&found.design.values).map(|model| volume(&model)));
     }
 }
 
@@ -152,13 +152,13 @@ struct VariableFound<'a> {
 impl Record for VariableFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("name", "the key of the scene, or the column of the profile and its place", |of| of.variable.name.as_str());
-        of.field("unit", "of its numbers here; null where it is a plain number", |of| unit(of.variable));
-        of.field("lower", "lower bound", |of| of.variable.lower);
-        of.field("upper", "upper bound", |of| of.variable.upper);
-        of.field("before", "in the design of the scene", |of| of.optimum.before.values[of.index]);
-        of.field("after", "in the best design", |of| of.optimum.after.values[of.index]);
-        of.field("error", "how far it is from there to where the gradient vanishes, at most; null under constraints and of more than four free variables", |of| of.optimum.value_errors.as_ref().map(|errors| errors[of.index]));
+        of.field("name", "the key of the scene, or the column of the profile and its place", |found| found.variable.name.as_str());
+        of.field("unit", "of its numbers here; null where it is a plain number", |found| unit(found.variable));
+        of.field("lower", "lower bound", |found| found.variable.lower);
+        of.field("upper", "upper bound", |found| found.variable.upper);
+        of.field("before", "in the design of the scene", |found| found.optimum.before.values[found.index]);
+        of.field("after", "in the best design", |found| found.optimum.after.values[found.index]);
+        of.field("error", "how far it is from there to where the gradient vanishes, at most; null under constraints and of more than four free variables", |found| found.optimum.value_errors.as_ref().map(|errors| errors[found.index]));
     }
 }
 
@@ -183,16 +183,16 @@ impl Record for SearchResult {
 impl Record for Certificate {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("gradient", "largest derivative of the logarithm of the objective by a variable, over its range from bound to bound; null without derivatives", |of| of.gradient);
-        of.field("projected_gradient", "what active bounds and constraints leave of it: zero at an optimum", |of| of.projected_gradient);
-        of.field("active", "bounds and constraints that hold the optimum", |of| of.active.as_slice());
+        of.field("gradient", "largest derivative of the logarithm of the objective by a variable, over its range from bound to bound; null without derivatives", |found| found.gradient);
+        of.field("projected_gradient", "what active bounds and constraints leave of it: zero at an optimum", |found| found.projected_gradient);
+        of.field("active", "bounds and constraints that hold the optimum", |found| found.active.as_slice());
         of.group("neighbours", "random feasible designs beside the optimum", |of| {
-            of.field("computed", "how many have an objective", |of| of.neighbours.computed);
-            of.field("bad", "how many have none", |of| of.neighbours.bad);
-            of.field("better", "how many are better by more than the error of the search", |of| of.neighbours.better);
-            of.field("largest_gain", "logarithm of the best of them over the optimum: below zero where none is better", |of| (of.neighbours.computed > 0).then_some(of.neighbours.largest_gain));
+            of.field("computed", "how many have an objective", |found| found.neighbours.computed);
+            of.field("bad", "how many have none", |found| found.neighbours.bad);
+            of.field("better", "how many are better by more than the error of the search", |found| found.neighbours.better);
+            of.field("largest_gain", "logarithm of the best of them over the optimum: below zero where none is better", |found| (found.neighbours.computed > 0).then_some(found.neighbours.largest_gain));
         });
-        of.field("check", "what a search without gradients found from the optimum on; null where it was not asked for", |of| of.check);
+        of.field("check", "what a search without gradients found from the optimum on; null where it was not asked for", |found| found.check);
     }
 }
 

@@ -31,46 +31,46 @@ pub type PeelSummary<'a> = Summary<'a, PeelFound<'a>>;
 impl Record for PeelFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("solved_in_plane", "of a scene in space: whether its solution stays in the plane, where it was computed then; null of a scene in the plane", |of| of.scene.model.space.map(|_| of.peel.model.space.is_none()));
-        of.field("end", "how the path ended: a word of the list of ends", |of| end_word(&of.peel.end));
-        of.field("reason", "why, with numbers; null where the end says it", |of| end_reason(&of.peel.end));
-        of.field("peak", "the limit point with the largest force up to the first jump, or as far as the limits of `[bounds]` or the model let the path go. Null where the computed curve goes higher at an end, and where the computation stopped short before the first jump", |of| of.peel.peak);
-        of.field("largest_computed_force", "where there is no `peak`: the largest force of the computed curve up to the first jump. It has no bound, because how far the force goes up from there is not known", |of| of.peel.largest_computed_force);
-        of.field("initiation_peak", "the first local maximum of the force, else null", |of| of.peel.initiation_peak);
-        of.field("plateau", "the steady force, at which the front advances and nothing else changes: where the force changes least with the displacement between the initiation peak and the first jump, else on the level segment of the path on which the front advances furthest, by at least 5 lengths of the process zone; null if d ln P / d ln u is below 0.01 on neither", |of| of.peel.plateau);
-        of.field("limit_points", "all limit points, in path order", |of| of.peel.limit_points.as_slice());
-        of.field("branch_points", "where other branches of equilibria meet the path although the displacement does not turn, in path order; the path goes on along the branch that it is on", |of| of.peel.branch_points.as_slice());
-        of.field("warnings", "where the model is not to be trusted", |of| of.peel.warnings());
-        of.field("derived", "what follows from the scene alone; null where a body has no single value, as of a section that varies or is an ellipse, or the law has none", |of| of.scene.model.derived());
-        of.field("snap_off", "the first jump, under its older name", |of| of.peel.snap_off.map(Fold));
-        of.field("first_jump", "the first displacement limit point, whatever jumps there; else null", |of| of.peel.snap_off.map(Fold));
-        of.field("pad_detachment", "the displacement limit point behind which the pad does not adhere any more; null where there is none, and where the path was not followed to an end `detached` or `pivoting`", |of| of.peel.pad_detachment.map(Fold));
-        of.field("detachment", "the one behind which nothing adheres; null likewise", |of| of.peel.detachment.map(Fold));
+        of.field("solved_in_plane", "of a scene in space: whether its solution stays in the plane, where it was computed then; null of a scene in the plane", |found| found.scene.model.space.map(|_| found.peel.model.space.is_none()));
+        of.field("end", "how the path ended: a word of the list of ends", |found| end_word(&found.peel.end));
+        of.field("reason", "why, with numbers; null where the end says it", |found| end_reason(&found.peel.end));
+        of.field("peak", "the limit point with the largest force up to the first jump, or as far as the limits of `[bounds]` or the model let the path go. Null where the computed curve goes higher at an end, and where the computation stopped short before the first jump", |found| found.peel.peak);
+        of.field("largest_computed_force", "where there is no `peak`: the largest force of the computed curve up to the first jump. It has no bound, because how far the force goes up from there is not known", |found| found.peel.largest_computed_force);
+        of.field("initiation_peak", "the first local maximum of the force, else null", |found| found.peel.initiation_peak);
+        of.field("plateau", "the steady force, at which the front advances and nothing else changes: where the force changes least with the displacement between the initiation peak and the first jump, else on the level segment of the path on which the front advances furthest, by at least 5 lengths of the process zone; null if d ln P / d ln u is below 0.01 on neither", |found| found.peel.plateau);
+        of.field("limit_points", "all limit points, in path order", |found| found.peel.limit_points.as_slice());
+        of.field("branch_points", "where other branches of equilibria meet the path although the displacement does not turn, in path order; the path goes on along the branch that it is on", |found| found.peel.branch_points.as_slice());
+        of.field("warnings", "where the model is not to be trusted", |found| found.peel.warnings());
+        of.field("derived", "what follows from the scene alone; null where a body has no single value, as of a section that varies or is an ellipse, or the law has none", |found| found.scene.model.derived());
+        of.field("snap_off", "the first jump, under its older name", |found| found.peel.snap_off.map(Fold));
+        of.field("first_jump", "the first displacement limit point, whatever jumps there; else null", |found| found.peel.snap_off.map(Fold));
+        of.field("pad_detachment", "the displacement limit point behind which the pad does not adhere any more; null where there is none, and where the path was not followed to an end `detached` or `pivoting`", |found| found.peel.pad_detachment.map(Fold));
+        of.field("detachment", "the one behind which nothing adheres; null likewise", |found| found.peel.detachment.map(Fold));
         of.group("accuracy", "how accurate the numbers are", |of| {
-            of.field("asked", "`accuracy.relative` of the scene", |of| of.peel.asked);
-            of.field("reached", "the largest relative bound of the numbers above; null where nothing has one", |of| of.peel.reached_accuracy());
-            of.field("met", "whether `reached` is at most `asked`", |of| of.peel.reached_accuracy().map(|reached| reached <= of.peel.asked));
-            of.field("load_limit_points_left_out", "number of load limit points between which the force changes by less than the tolerance", |of| of.peel.ripple);
-            of.field("left_out", "what they are, in words", |of| left_out(of.peel));
-            of.field("form", "`two-field`: y and θ at every node, x eliminated; `three-field`: x, y and θ", |of| form_word(of.peel.choice.form));
-            of.field("form_note", "whether that leaves anything out", |of| form_note(of.peel.choice.form));
+            of.field("asked", "`accuracy.relative` of the scene", |found| found.peel.asked);
+            of.field("reached", "the largest relative bound of the numbers above; null where nothing has one", |found| found.peel.reached_accuracy());
+            of.field("met", "whether `reached` is at most `asked`", |found| found.peel.reached_accuracy().map(|reached| reached <= found.peel.asked));
+            of.field("load_limit_points_left_out", "number of load limit points between which the force changes by less than the tolerance", |found| found.peel.ripple);
+            of.field("left_out", "what they are, in words", |found| left_out(found.peel));
+            of.field("form", "`two-field`: y and θ at every node, x eliminated; `three-field`: x, y and θ", |found| form_word(found.peel.choice.form));
+            of.field("form_note", "whether that leaves anything out", |found| form_note(found.peel.choice.form));
         });
-        of.field("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential; without the far face where a section is nearly upright", |of| of.peel.terms());
-        of.sometimes("considered", "with `terms = \"auto\"`: what was neglected and what was kept", |of| of.peel.considered.as_ref());
+        of.field("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential; without the far face where a section is nearly upright", |found| found.peel.terms());
+        of.sometimes("considered", "with `terms = \"auto\"`: what was neglected and what was kept", |found| found.peel.considered.as_ref());
         of.group("path", "computational cost", |of| {
-            of.field("points", "points of the path, on the final mesh", |of| of.peel.effort.points);
-            of.field("newton_iterations", "Newton iterations, on all meshes", |of| of.peel.effort.newton_iterations);
-            of.field("elements", "elements of the final mesh", |of| of.peel.effort.elements);
-            of.field("order", "their order", |of| of.peel.effort.order);
-            of.field("pace", "`quick`; `wary` where every mesh had lost the path and it was followed once more, in the plane `watchful` where every mesh had lost that too", |of| pace_word(of.peel.effort.pace));
+            of.field("points", "points of the path, on the final mesh", |found| found.peel.effort.points);
+            of.field("newton_iterations", "Newton iterations, on all meshes", |found| found.peel.effort.newton_iterations);
+            of.field("elements", "elements of the final mesh", |found| found.peel.effort.elements);
+            of.field("order", "their order", |found| found.peel.effort.order);
+            of.field("pace", "`quick`; `wary` where every mesh had lost the path and it was followed once more, in the plane `watchful` where every mesh had lost that too", |found| pace_word(found.peel.effort.pace));
         });
-        of.group("timing", "time", |of| of.field("solve_s", "time of path, limit points and error bounds, without pictures", |of| of.solve_s));
-        of.sometimes("steps", "with `drive.steps`: the grip after each step before the pull, relative to where it took hold", |of| Some(of.steps()).filter(|steps| !steps.is_empty()));
-        of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |of| Some(Ground { contact: of.peel.contact(0)?, largest_force: of.peel.largest_force() }));
-        of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |of| of.peel.sliding_at_peak());
-        of.sometimes("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll", |of| of.out_of_plane);
-        of.sometimes("observed", "with `--observed`: the displacement-controlled test", |of| of.observed);
-        of.sometimes("sensitivities", "with `--sensitivities`: by which power of each parameter the results change; those of one result together, largest first", |of| of.sensitivities.as_deref());
+        of.group("timing", "time", |of| of.field("solve_s", "time of path, limit points and error bounds, without pictures", |found| found.solve_s));
+        of.sometimes("steps", "with `drive.steps`: the grip after each step before the pull, relative to where it took hold", |found| Some(found.steps()).filter(|steps| !steps.is_empty()));
+        of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |found| Some(Ground { contact: found.peel.contact(0)?, largest_force: found.peel.largest_force() }));
+        of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |found| found.peel.sliding_at_peak());
+        of.sometimes("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll", |found| found.out_of_plane);
+        of.sometimes("observed", "with `--observed`: the displacement-controlled test", |found| found.observed);
+        of.sometimes("sensitivities", "with `--sensitivities`: by which power of each parameter the results change; those of one result together, largest first", |found| found.sensitivities.as_deref());
     }
 }
 
@@ -132,10 +132,10 @@ struct Sensitivity<'a> {
 impl Record for Sensitivity<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("of", "the result Q: where it stands in this object, as `initiation_peak.force_nN`", |of| of.exponent.of.name());
-        of.field("key", "the parameter p: a key of the scene, or a cell of the table of a profile", |of| of.keys[of.exponent.variation].as_str());
-        of.field("d_ln_d_ln", "d ln Q/d ln p", |of| of.exponent.value);
-        of.field("error", "bound of its error", |of| of.exponent.error);
+        of.field("of", "the result Q: where it stands in this object, as `initiation_peak.force_nN`", |found| found.exponent.of.name());
+        of.field("key", "the parameter p: a key of the scene, or a cell of the table of a profile", |found| found.keys[found.exponent.variation].as_str());
+        of.field("d_ln_d_ln", "d ln Q/d ln p", |found| found.exponent.value);
+        of.field("error", "bound of its error", |found| found.exponent.error);
     }
 }
 

@@ -134,22 +134,22 @@ impl<'a> TipSummary<'a> {
 impl Record for TipFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`converged`; `tolerance-not-met`: the table was not refined further, and its errors are above the tolerance", |of| if of.table.is_met() { "converged" } else { "tolerance-not-met" });
-        of.field("pad_end", "`sliding`: the pad slides without friction and v changes nothing; `held`: the free end of the pad stays where it adheres", |of| pad_end_word(of.table.options.pad_end));
-        of.field("tolerance", "error asked of forces and moment, over the largest of each", |of| of.table.options.tolerance);
-        of.field("press_nm", "how far below the height without a normal force the table begins", |of| of.table.options.range.press);
-        of.field("lateral_nm", "range of v; null where the pad slides", |of| (of.table.options.pad_end == PadEnd::Held).then_some(of.table.options.range.lateral));
-        of.field("rotation_rad", "range of θ", |of| of.table.options.range.rotation);
-        of.field("largest_force_nN", "largest normal force of the table: what errors of forces are measured by", |of| of.table.scales.force);
-        of.field("largest_moment_nN_nm", "largest moment of the table, without its sign: what errors of the moment are measured by", |of| of.table.scales.moment);
-        of.field("reference_stiffness_nN_per_nm", "K0: where the branch is stiffer, an error is K0 times one of the displacement", |of| of.table.scales.stiffness);
-        of.field("rest_energy_aJ", "E at rest; zero is the stress-free spatula far from the substrate", |of| of.table.rest_energy);
-        of.field("neglected_force_nN", "normal force at which the detached branch begins: farther away it is taken to be zero", |of| of.table.neglected_force);
-        of.field("attached", "the branch on which the pad adheres", |of| Branch { table: of.table, on: TipSheet::Attached });
-        of.field("detached", "the branch on which it does not", |of| Branch { table: of.table, on: TipSheet::Detached });
-        of.field("columns", "pairs of v and θ at which the spatula was followed", |of| of.table.columns);
-        of.field("equilibria", "equilibria at nodes and between them", |of| of.table.equilibria);
-        of.field("solve_s", "time of the computation", |of| of.solve_s);
+        of.field("end", "`converged`; `tolerance-not-met`: the table was not refined further, and its errors are above the tolerance", |found| if found.table.is_met() { "converged" } else { "tolerance-not-met" });
+        of.field("pad_end", "`sliding`: the pad slides without friction and v changes nothing; `held`: the free end of the pad stays where it adheres", |found| pad_end_word(found.table.options.pad_end));
+        of.field("tolerance", "error asked of forces and moment, over the largest of each", |found| found.table.options.tolerance);
+        of.field("press_nm", "how far below the height without a normal force the table begins", |found| found.table.options.range.press);
+        of.field("lateral_nm", "range of v; null where the pad slides", |found| (found.table.options.pad_end == PadEnd::Held).then_some(found.table.options.range.lateral));
+        of.field("rotation_rad", "range of θ", |found| found.table.options.range.rotation);
+        of.field("largest_force_nN", "largest normal force of the table: what errors of forces are measured by", |found| found.table.scales.force);
+        of.field("largest_moment_nN_nm", "largest moment of the table, without its sign: what errors of the moment are measured by", |found| found.table.scales.moment);
+        of.field("reference_stiffness_nN_per_nm", "K0: where the branch is stiffer, an error is K0 times one of the displacement", |found| found.table.scales.stiffness);
+        of.field("rest_energy_aJ", "E at rest; zero is the stress-free spatula far from the substrate", |found| found.table.rest_energy);
+        of.field("neglected_force_nN", "normal force at which the detached branch begins: farther away it is taken to be zero", |found| found.table.neglected_force);
+        of.field("attached", "the branch on which the pad adheres", |found| Branch { table: found.table, on: TipSheet::Attached });
+        of.field("detached", "the branch on which it does not", |found| Branch { table: found.table, on: TipSheet::Detached });
+        of.field("columns", "pairs of v and θ at which the spatula was followed", |found| found.table.columns);
+        of.field("equilibria", "equilibria at nodes and between them", |found| found.table.equilibria);
+        of.field("solve_s", "time of the computation", |found| found.solve_s);
     }
 }
 
@@ -166,19 +166,19 @@ struct Branch<'a> {
 impl Record for Branch<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("path_nodes", "nodes along the branch", |of| of.nodes().path.len());
-        of.field("lateral_nodes", "nodes of v", |of| of.nodes().lateral.len());
-        of.field("rotation_nodes", "nodes of θ", |of| of.nodes().rotation.len());
-        of.field("limit_nm", "u of the limit point at v = 0 and θ = 0", |of| of.limit().normal);
-        of.field("limit_force_nN", "normal force there", |of| of.limit().force[0]);
-        of.field("released_aJ", "energy that is released where it goes over to the other branch there", |of| of.released());
-        of.field("normal_force_error_nN", "bound of the error of P: twice the largest that was measured between the nodes", |of| of.table.errors(of.on).force[0]);
-        of.field("lateral_force_error_nN", "the same for the force along the substrate", |of| of.table.errors(of.on).force[1]);
-        of.field("moment_error_nN_nm", "the same for the moment", |of| of.table.errors(of.on).force[2]);
-        of.field("limit_error_nm", "the same for u at the limit point", |of| of.table.errors(of.on).limit);
-        of.field("mesh_error_nm", "twice the largest difference of a limit point on half as many elements again", |of| of.table.errors(of.on).mesh);
-        of.field("relative_error", "the largest of the errors of forces and moment over what they are measured by", |of| of.table.errors(of.on).relative);
-        of.field("checked", "at how many places between the nodes the spatula was solved for them", |of| of.table.errors(of.on).checked);
+        of.field("path_nodes", "nodes along the branch", |found| found.nodes().path.len());
+        of.field("lateral_nodes", "nodes of v", |found| found.nodes().lateral.len());
+        of.field("rotation_nodes", "nodes of θ", |found| found.nodes().rotation.len());
+        of.field("limit_nm", "u of the limit point at v = 0 and θ = 0", |found| found.limit().normal);
+        of.field("limit_force_nN", "normal force there", |found| found.limit().force[0]);
+        of.field("released_aJ", "energy that is released where it goes over to the other branch there", |found| found.released());
+        of.field("normal_force_error_nN", "bound of the error of P: twice the largest that was measured between the nodes", |found| found.table.errors(found.on).force[0]);
+        of.field("lateral_force_error_nN", "the same for the force along the substrate", |found| found.table.errors(found.on).force[1]);
+        of.field("moment_error_nN_nm", "the same for the moment", |found| found.table.errors(found.on).force[2]);
+        of.field("limit_error_nm", "the same for u at the limit point", |found| found.table.errors(found.on).limit);
+        of.field("mesh_error_nm", "twice the largest difference of a limit point on half as many elements again", |found| found.table.errors(found.on).mesh);
+        of.field("relative_error", "the largest of the errors of forces and moment over what they are measured by", |found| found.table.errors(found.on).relative);
+        of.field("checked", "at how many places between the nodes the spatula was solved for them", |found| found.table.errors(found.on).checked);
     }
 }
 

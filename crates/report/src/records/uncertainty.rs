@@ -179,21 +179,21 @@ impl<'a> UncertaintySummary<'a> {
 impl Record for UncertainPeel<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("inputs", "what is uncertain", |of| of.analysis.design.plan().inputs.as_slice());
-        of.field("correlations", "inputs that vary together; empty where all are independent", |of| of.correlations());
+        of.field("inputs", "what is uncertain", |found| found.analysis.design.plan().inputs.as_slice());
+        of.field("correlations", "inputs that vary together; empty where all are independent", |found| found.correlations());
         of.group("sample", "how it was sampled", |of| {
-            of.field("asked", "`uncertainty.samples`", |of| of.analysis.design.plan().samples);
-            of.field("samples", "samples of the design: as many as make whole replicates", |of| of.analysis.design.samples());
-            of.field("computed", "how many of them were computed: fewer after Ctrl-C", |of| of.analysis.computed());
-            of.field("cut_short", "how many of these were not computed to the end of their path; results that were reached before count", |of| of.analysis.cut_short().iter().map(|of| of.count).sum::<usize>());
-            of.field("replicates", "independent scrambled Sobol sequences, whose spread gives every error here", |of| of.analysis.design.replicates());
-            of.field("points", "points of each sequence", |of| of.analysis.design.points());
-            of.field("seed", "`uncertainty.seed`", |of| of.analysis.design.plan().seed);
+            of.field("asked", "`uncertainty.samples`", |found| found.analysis.design.plan().samples);
+            of.field("samples", "samples of the design: as many as make whole replicates", |found| found.analysis.design.samples());
+            of.field("computed", "how many of them were computed: fewer after Ctrl-C", |found| found.analysis.computed());
+            of.field("cut_short", "how many of these were not computed to the end of their path; results that were reached before count", |found| found.analysis.cut_short().iter().map(|cut| cut.count).sum::<usize>());
+            of.field("replicates", "independent scrambled Sobol sequences, whose spread gives every error here", |found| found.analysis.design.replicates());
+            of.field("points", "points of each sequence", |found| found.analysis.design.points());
+            of.field("seed", "`uncertainty.seed`", |found| found.analysis.design.plan().seed);
         });
-        of.field("cut_short", "why samples were cut short, the most frequent reason first", |of| of.analysis.cut_short());
-        of.field("derivatives_by", "where the derivatives at the means come from: `sensitivities` or, with friction for example, `differences`", |of| derivatives_word(of.analysis.derivatives_by));
-        of.field("results", "an object for each result that was asked for", |of| of.results());
-        of.field("solve_s", "time of all peels of this command", |of| of.solve_s);
+        of.field("cut_short", "why samples were cut short, the most frequent reason first", |found| found.analysis.cut_short());
+        of.field("derivatives_by", "where the derivatives at the means come from: `sensitivities` or, with friction for example, `differences`", |found| derivatives_word(found.analysis.derivatives_by));
+        of.field("results", "an object for each result that was asked for", |found| found.results());
+        of.field("solve_s", "time of all peels of this command", |found| found.solve_s);
     }
 }
 
@@ -248,9 +248,9 @@ impl Record for Correlated<'_> {
 impl Record for CutShort {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("reason", "of the first such sample; others may have other numbers in it", |of| of.reason.as_str());
-        of.field("count", "how many", |of| of.count);
-        of.field("first_sample", "the first of them, a row of samples.csv", |of| of.first);
+        of.field("reason", "of the first such sample; others may have other numbers in it", |found| found.reason.as_str());
+        of.field("count", "how many", |found| found.count);
+        of.field("first_sample", "the first of them, a row of samples.csv", |found| found.first);
     }
 }
 
@@ -263,18 +263,18 @@ struct ResultFound<'a> {
 impl Record for ResultFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("of", "the result, by its name in the summary of `peel run`; its unit ends the name", |of| of.number.of.name());
-        of.field("count", "samples that have it", |of| count(of.number));
-        of.field("missing", "samples that do not; all that follows is of the others", |of| missing(of.number));
-        of.field("mean", "its mean; null where fewer than two replicates have it", |of| Some(of.number.statistics.as_ref()?.mean));
-        of.field("deviation", "its standard deviation", |of| Some(of.number.statistics.as_ref()?.deviation));
-        of.field("smallest", "smallest of the samples", |of| Some(of.number.statistics.as_ref()?.smallest));
-        of.field("largest", "largest of the samples", |of| Some(of.number.statistics.as_ref()?.largest));
-        of.field("quantiles", "its quantiles", |of| of.number.statistics.as_ref().map_or(&[][..], |of| &of.quantiles));
-        of.field("indices", "Sobol's sensitivity indices; empty with `indices` = false", |of| of.indices());
-        of.field("at_means", "the result with all inputs at their means; null where it does not occur there", |of| of.at_means());
-        of.field("propagation", "what derivatives at the means give, beside the sample", |of| of.number.propagations.as_slice());
-        of.field("one_at_a_time", "the result where one input is at a quantile and all others at their means", |of| of.one_at_a_time());
+        of.field("of", "the result, by its name in the summary of `peel run`; its unit ends the name", |found| found.number.of.name());
+        of.field("count", "samples that have it", |found| count(found.number));
+        of.field("missing", "samples that do not; all that follows is of the others", |found| missing(found.number));
+        of.field("mean", "its mean; null where fewer than two replicates have it", |found| Some(found.number.statistics.as_ref()?.mean));
+        of.field("deviation", "its standard deviation", |found| Some(found.number.statistics.as_ref()?.deviation));
+        of.field("smallest", "smallest of the samples", |found| Some(found.number.statistics.as_ref()?.smallest));
+        of.field("largest", "largest of the samples", |found| Some(found.number.statistics.as_ref()?.largest));
+        of.field("quantiles", "its quantiles", |found| found.number.statistics.as_ref().map_or(&[][..], |all| &all.quantiles));
+        of.field("indices", "Sobol's sensitivity indices; empty with `indices` = false", |found| found.indices());
+        of.field("at_means", "the result with all inputs at their means; null where it does not occur there", |found| found.at_means());
+        of.field("propagation", "what derivatives at the means give, beside the sample", |found| found.number.propagations.as_slice());
+        of.field("one_at_a_time", "the result where one input is at a quantile and all others at their means", |found| found.one_at_a_time());
     }
 }
 
@@ -298,18 +298,18 @@ impl<'a> ResultFound<'a> {
 impl Record for Estimate {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("value", "estimate", |of| of.value);
-        of.field("error", "half the width of its confidence interval of 95 %", |of| of.error);
+        of.field("value", "estimate", |found| found.value);
+        of.field("error", "half the width of its confidence interval of 95 %", |found| found.error);
     }
 }
 
 impl Record for Quantile {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("probability", "share of the distribution below", |of| of.probability);
-        of.field("value", "estimate", |of| of.value);
-        of.field("from", "where its confidence interval of 95 % begins", |of| of.from);
-        of.field("to", "where that ends", |of| of.to);
+        of.field("probability", "share of the distribution below", |found| found.probability);
+        of.field("value", "estimate", |found| found.value);
+        of.field("from", "where its confidence interval of 95 % begins", |found| found.from);
+        of.field("to", "where that ends", |found| found.to);
     }
 }
 
@@ -322,11 +322,11 @@ struct Index<'a> {
 impl Record for Index<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("keys", "an input, or all inputs that vary together", |of| names(of.analysis, &of.index.inputs));
-        of.field("first", "share of the variance that would go if these inputs were known", |of| of.index.first.value);
-        of.field("first_error", "half the width of its confidence interval of 95 %", |of| of.index.first.error);
-        of.field("total", "share of the variance that would stay if all other inputs were known", |of| of.index.total.value);
-        of.field("total_error", "half the width of its confidence interval of 95 %", |of| of.index.total.error);
+        of.field("keys", "an input, or all inputs that vary together", |found| names(found.analysis, &found.index.inputs));
+        of.field("first", "share of the variance that would go if these inputs were known", |found| found.index.first.value);
+        of.field("first_error", "half the width of its confidence interval of 95 %", |found| found.index.first.error);
+        of.field("total", "share of the variance that would stay if all other inputs were known", |found| found.index.total.value);
+        of.field("total_error", "half the width of its confidence interval of 95 %", |found| found.index.total.error);
     }
 }
 
@@ -340,8 +340,8 @@ struct AtMeans<'a> {
 impl Record for AtMeans<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("value", "its value", |of| of.value);
-        of.field("derivatives", "its first derivatives", |of| of.derivatives());
+        of.field("value", "its value", |found| found.value);
+        of.field("derivatives", "its first derivatives", |found| found.derivatives());
     }
 }
 
@@ -361,20 +361,20 @@ struct Derivative<'a> {
 impl Record for Derivative<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("key", "by which input", |of| of.input.name.as_str());
-        of.field("per_deviation", "the derivative times the standard deviation of the input", |of| of.slope * of.input.distribution.deviation());
+        of.field("key", "by which input", |found| found.input.name.as_str());
+        of.field("per_deviation", "the derivative times the standard deviation of the input", |found| found.slope * found.input.distribution.deviation());
     }
 }
 
 impl Record for Propagation {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("order", "1: linear; 2: with second derivatives", |of| order_number(of.order));
-        of.field("mean", "mean of that polynomial at the samples", |of| of.mean);
-        of.field("deviation", "its standard deviation", |of| of.deviation);
-        of.field("mean_difference", "mean of the polynomial less that of the result, at the same samples", |of| of.mean_difference);
-        of.field("deviation_difference", "the same of the standard deviations", |of| of.deviation_difference);
-        of.field("fails", "whether one of the two differences is larger than its error and than 1 % of the standard deviation", |of| of.fails());
+        of.field("order", "1: linear; 2: with second derivatives", |found| order_number(found.order));
+        of.field("mean", "mean of that polynomial at the samples", |found| found.mean);
+        of.field("deviation", "its standard deviation", |found| found.deviation);
+        of.field("mean_difference", "mean of the polynomial less that of the result, at the same samples", |found| found.mean_difference);
+        of.field("deviation_difference", "the same of the standard deviations", |found| found.deviation_difference);
+        of.field("fails", "whether one of the two differences is larger than its error and than 1 % of the standard deviation", |found| found.fails());
     }
 }
 
@@ -395,11 +395,11 @@ struct Alone<'a> {
 impl Record for Alone<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("key", "the input", |of| name(of.analysis, of.input));
-        of.field("from", "its quantile of 5 %", |of| of.analysis.alone[of.input].inputs[0]);
-        of.field("to", "its quantile of 95 %", |of| of.analysis.alone[of.input].inputs[1]);
-        of.field("at_from", "the result at the first; null where it does not occur", |of| of.at[0]);
-        of.field("at_to", "the result at the second; null likewise", |of| of.at[1]);
+        of.field("key", "the input", |found| name(found.analysis, found.input));
+        of.field("from", "its quantile of 5 %", |found| found.analysis.alone[found.input].inputs[0]);
+        of.field("to", "its quantile of 95 %", |found| found.analysis.alone[found.input].inputs[1]);
+        of.field("at_from", "the result at the first; null where it does not occur", |found| found.at[0]);
+        of.field("at_to", "the result at the second; null likewise", |found| found.at[1]);
     }
 }
 

@@ -31,39 +31,39 @@ pub type SetaSummary<'a> = Summary<'a, SetaFound<'a>>;
 impl Record for SetaFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |of| seta_end_word(of.pull_off));
-        of.field("reason", "why, with numbers; null where the end says it", |of| seta_end_reason(&of.pull_off.end));
-        of.field("tips", "number of tips", |of| of.seta.tips());
-        of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |of| of.pull_off.peak.as_ref().map(|state| Moment { state, converged: of.converged }));
-        of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |of| Some(MeshError { curve: of.pull_off.peak.as_ref()?.point, converged: of.converged? }));
-        of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |of| of.pull_off.first_detachment.as_ref().map(Moment::from));
-        of.field("last_detachment", "just before the last one, else null", |of| of.pull_off.last_detachment.as_ref().map(Moment::from));
+        of.field("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |found| seta_end_word(found.pull_off));
+        of.field("reason", "why, with numbers; null where the end says it", |found| seta_end_reason(&found.pull_off.end));
+        of.field("tips", "number of tips", |found| found.seta.tips());
+        of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |found| found.pull_off.peak.as_ref().map(|state| Moment { state, converged: found.converged }));
+        of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |found| Some(MeshError { curve: found.pull_off.peak.as_ref()?.point, converged: found.converged? }));
+        of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |found| found.pull_off.first_detachment.as_ref().map(Moment::from));
+        of.field("last_detachment", "just before the last one, else null", |found| found.pull_off.last_detachment.as_ref().map(Moment::from));
         of.group("events", "where tips detach or adhere again, or beams buckle, the root held", |of| {
-            of.part(|of| TipEvents::of(of.pull_off.events.iter().map(|event| &event.tips[..])));
-            of.field("buckled", "events that begin with beams that buckle: a loss of stability in which no tip takes part", |of| of.pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count());
+            of.part(|found| TipEvents::of(found.pull_off.events.iter().map(|event| &event.tips[..])));
+            of.field("buckled", "events that begin with beams that buckle: a loss of stability in which no tip takes part", |found| found.pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count());
         });
         of.group("balance", "what became of the work of the root, over all steps", |of| {
-            of.field("work_aJ", "the work", |of| of.pull_off.points.last().map_or(0.0, |last| last.work));
-            of.field("released_aJ", "energy released in events", |of| of.pull_off.points.last().map_or(0.0, |last| last.released));
-            of.field("energy_change_aJ", "change of the stored energy and of that of adhesion", |of| of.energy_change());
-            of.field("imbalance", "the difference, over the largest of the three", |of| of.pull_off.imbalance());
+            of.field("work_aJ", "the work", |found| found.pull_off.points.last().map_or(0.0, |last| last.work));
+            of.field("released_aJ", "energy released in events", |found| found.pull_off.points.last().map_or(0.0, |last| last.released));
+            of.field("energy_change_aJ", "change of the stored energy and of that of adhesion", |found| found.energy_change());
+            of.field("imbalance", "the difference, over the largest of the three", |found| found.pull_off.imbalance());
         });
         of.group("tip", "the law of each tip", |of| {
-            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula; `table`, see `tip_table`", |of| if of.table.is_some() { "table" } else { "curve" });
-            of.field("peak_force_nN", "largest force of the curve of its normal pull", |of| tip_peak(of.tip));
-            of.part(|of| RestOfTip(of.tip));
+            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula; `table`, see `tip_table`", |found| if found.table.is_some() { "table" } else { "curve" });
+            of.field("peak_force_nN", "largest force of the curve of its normal pull", |found| tip_peak(found.tip));
+            of.part(|found| RestOfTip(found.tip));
         });
-        of.field("tip_table", "the table that the tips follow, as it is in the last pull-off; null where they follow the curve of their normal pull", |of| of.table.map(TipTableUse::of));
-        of.field("warnings", "what is not to be trusted", |of| of.outside.into_iter().collect::<Vec<_>>());
+        of.field("tip_table", "the table that the tips follow, as it is in the last pull-off; null where they follow the curve of their normal pull", |found| found.table.map(TipTableUse::of));
+        of.field("warnings", "what is not to be trusted", |found| found.outside.into_iter().collect::<Vec<_>>());
         of.group("path", "computational cost", |of| {
-            of.field("points", "equilibria of the pull-off", |of| of.pull_off.points.len());
-            of.field("newton_iterations", "Newton iterations", |of| of.pull_off.effort.newton_iterations);
-            of.field("elements", "elements of the tree", |of| of.pull_off.effort.elements);
+            of.field("points", "equilibria of the pull-off", |found| found.pull_off.points.len());
+            of.field("newton_iterations", "Newton iterations", |found| found.pull_off.effort.newton_iterations);
+            of.field("elements", "elements of the tree", |found| found.pull_off.effort.elements);
         });
         of.group("timing", "wall clock", |of| {
-            of.field("tip_s", "of the law of the tips", |of| of.tip_s);
-            of.field("solve_s", "of the pull-off", |of| of.solve_s);
-            of.field("mesh_error_s", "of the peak on finer meshes", |of| of.mesh_error_s);
+            of.field("tip_s", "of the law of the tips", |found| found.tip_s);
+            of.field("solve_s", "of the pull-off", |found| found.solve_s);
+            of.field("mesh_error_s", "of the peak on finer meshes", |found| found.mesh_error_s);
         });
     }
 }
@@ -98,14 +98,14 @@ impl<'a> From<&'a SetaState> for Moment<'a> {
 impl Record for Moment<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("force_nN", "force on the root along the pull", |of| of.converged.map_or(of.state.point.force_along, |finest| finest.peak.force));
-        of.field("displacement_nm", "how far the root has moved in the pull", |of| of.converged.map_or(of.state.point.displacement, |finest| finest.peak.displacement));
-        of.field("location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where nothing was located, so that the peak is the largest force of the equilibria that were computed", |of| Some(of.location()?.force));
-        of.field("location_error_nm", "the same of `displacement_nm`", |of| Some(of.location()?.displacement));
-        of.field("tips_attached", "number of tips that adhere", |of| of.state.point.attached);
-        of.field("largest_tip_load_nN", "of all tips the largest force away from the ground", |of| of.loads().fold(0.0, f64::max));
-        of.field("largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed", |of| of.loads().fold(0.0, |most, load| f64::max(most, -load)));
-        of.field("tip_loads_sum_nN", "sum of the forces of the tips away from the ground: the force on the root along the normal", |of| of.loads().sum::<f64>());
+        of.field("force_nN", "force on the root along the pull", |found| found.converged.map_or(found.state.point.force_along, |finest| finest.peak.force));
+        of.field("displacement_nm", "how far the root has moved in the pull", |found| found.converged.map_or(found.state.point.displacement, |finest| finest.peak.displacement));
+        of.field("location_error_nN", "how far the force of the maximum, or of the event, that was looked for may lie from `force_nN`, with mesh and law of the tips as they are; null where nothing was located, so that the peak is the largest force of the equilibria that were computed", |found| Some(found.location()?.force));
+        of.field("location_error_nm", "the same of `displacement_nm`", |found| Some(found.location()?.displacement));
+        of.field("tips_attached", "number of tips that adhere", |found| found.state.point.attached);
+        of.field("largest_tip_load_nN", "of all tips the largest force away from the ground", |found| found.loads().fold(0.0, f64::max));
+        of.field("largest_tip_push_nN", "of all tips the largest force towards the ground; 0 where none is pressed", |found| found.loads().fold(0.0, |most, load| f64::max(most, -load)));
+        of.field("tip_loads_sum_nN", "sum of the forces of the tips away from the ground: the force on the root along the normal", |found| found.loads().sum::<f64>());
     }
 }
 
@@ -130,10 +130,10 @@ struct MeshError<'a> {
 impl Record for MeshError<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("force_nN", "by how much the force differs from that with elements one order lower", |of| of.converged.mesh.force);
-        of.field("displacement_nm", "the same of the displacement", |of| of.converged.mesh.displacement);
-        of.field("order", "order of the elements of the peak", |of| of.converged.order);
-        of.field("curve_nN", "by how much the largest force of curve.csv, whose elements have order `accuracy.order`, differs from that of the peak", |of| (of.converged.peak.force - of.curve.force_along).abs());
+        of.field("force_nN", "by how much the force differs from that with elements one order lower", |found| found.converged.mesh.force);
+        of.field("displacement_nm", "the same of the displacement", |found| found.converged.mesh.displacement);
+        of.field("order", "order of the elements of the peak", |found| found.converged.order);
+        of.field("curve_nN", "by how much the largest force of curve.csv, whose elements have order `accuracy.order`, differs from that of the peak", |found| (found.converged.peak.force - found.curve.force_along).abs());
     }
 }
 
@@ -174,24 +174,24 @@ fn outside(round: Option<&TableRound>) -> usize {
 impl Record for TipTableUse<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("rows", "its nodes: equilibria of the spatula on both branches", |of| of.growing.table().rows());
-        of.field("press_nm", "how far below the height without a normal force it begins", |of| of.growing.table().options.range.press);
-        of.field("rotation_rad", "its range of θ", |of| of.growing.table().options.range.rotation);
-        of.field("relative_error", "bound of its error, over the largest force and the largest moment; `seta.tip_tolerance` is what was asked", |of| of.growing.table().relative_error());
-        of.field("normal_force_error_nN", "bound of the error of the normal force of one tip", |of| of.error(0));
-        of.field("moment_error_nN_nm", "the same for the moment", |of| of.error(2));
-        of.field("pull_offs", "how often the seta was pulled off: once, and once more each time the table has grown", |of| of.growing.rounds().len());
-        of.field("rows_added", "rows of the last table more than of the first", |of| of.growing.added());
-        of.field("tips_outside_first", "tips that were in equilibrium outside of the first table", |of| outside(of.growing.rounds().first()));
-        of.field("tips_outside", "tips that were so outside of the last one: above 0 their forces are extrapolated", |of| outside(of.growing.rounds().last()));
-        of.field("first_peak_force_nN", "peak force by the first table, null where there was none", |of| of.growing.rounds().first().and_then(|round| round.peak_force));
-        of.field("peak_force_change_nN", "by how much the peak force by the last table differs from it", |of| of.growing.changed());
-        of.field("resolve_within_nm", "how near to where they snap off tips were solved as spatulae; null where all followed the table", |of| of.resolved.and_then(|round| round.within));
-        of.field("tips_resolved", "tips that were solved so in the last pull-off", |of| of.resolved.map_or(0, |round| round.visited.resolved.tips.len()));
-        of.field("tips_unresolved", "tips of which no spatula was found in an equilibrium of the seta: they followed the table there", |of| of.resolved.map_or(0, |round| round.visited.resolved.unsolved.len()));
-        of.field("resolved_force_change_nN", "largest change of the normal force of a tip against the table, in equilibria of the seta", |of| of.resolved.map(|round| round.visited.resolved.force));
-        of.field("resolved_moment_change_nN_nm", "the same for the moment", |of| of.resolved.map(|round| round.visited.resolved.moment));
-        of.field("resolved_peak_force_change_nN", "by how much the spatulae change the peak force of the curve against that by the table alone", |of| of.growing.changed_by_resolved());
+        of.field("rows", "its nodes: equilibria of the spatula on both branches", |found| found.growing.table().rows());
+        of.field("press_nm", "how far below the height without a normal force it begins", |found| found.growing.table().options.range.press);
+        of.field("rotation_rad", "its range of θ", |found| found.growing.table().options.range.rotation);
+        of.field("relative_error", "bound of its error, over the largest force and the largest moment; `seta.tip_tolerance` is what was asked", |found| found.growing.table().relative_error());
+        of.field("normal_force_error_nN", "bound of the error of the normal force of one tip", |found| found.error(0));
+        of.field("moment_error_nN_nm", "the same for the moment", |found| found.error(2));
+        of.field("pull_offs", "how often the seta was pulled off: once, and once more each time the table has grown", |found| found.growing.rounds().len());
+        of.field("rows_added", "rows of the last table more than of the first", |found| found.growing.added());
+        of.field("tips_outside_first", "tips that were in equilibrium outside of the first table", |found| outside(found.growing.rounds().first()));
+        of.field("tips_outside", "tips that were so outside of the last one: above 0 their forces are extrapolated", |found| outside(found.growing.rounds().last()));
+        of.field("first_peak_force_nN", "peak force by the first table, null where there was none", |found| found.growing.rounds().first().and_then(|round| round.peak_force));
+        of.field("peak_force_change_nN", "by how much the peak force by the last table differs from it", |found| found.growing.changed());
+        of.field("resolve_within_nm", "how near to where they snap off tips were solved as spatulae; null where all followed the table", |found| found.resolved.and_then(|round| round.within));
+        of.field("tips_resolved", "tips that were solved so in the last pull-off", |found| found.resolved.map_or(0, |round| round.visited.resolved.tips.len()));
+        of.field("tips_unresolved", "tips of which no spatula was found in an equilibrium of the seta: they followed the table there", |found| found.resolved.map_or(0, |round| round.visited.resolved.unsolved.len()));
+        of.field("resolved_force_change_nN", "largest change of the normal force of a tip against the table, in equilibria of the seta", |found| found.resolved.map(|round| round.visited.resolved.force));
+        of.field("resolved_moment_change_nN_nm", "the same for the moment", |found| found.resolved.map(|round| round.visited.resolved.moment));
+        of.field("resolved_peak_force_change_nN", "by how much the spatulae change the peak force of the curve against that by the table alone", |found| found.growing.changed_by_resolved());
     }
 }
 

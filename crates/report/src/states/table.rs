@@ -20,11 +20,11 @@ struct OfState<'a> {
 impl Record for OfState<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("state", "number of the state from 0, in path order; the time of states.pvd", |of| of.number);
-        of.field("limit_point", "`load` or `displacement` where the state is a limit point, else empty", |of| of.state.limit_point.map(limit_point_kind_word));
-        of.field("path_position", "0 at the beginning of the path, 1 at its end", |of| of.state.path_position);
-        of.field("displacement_nm", "u", |of| of.state.displacement);
-        of.field("force_nN", "P", |of| of.state.force);
+        of.field("state", "number of the state from 0, in path order; the time of states.pvd", |found| found.number);
+        of.field("limit_point", "`load` or `displacement` where the state is a limit point, else empty", |found| found.state.limit_point.map(limit_point_kind_word));
+        of.field("path_position", "0 at the beginning of the path, 1 at its end", |found| found.state.path_position);
+        of.field("displacement_nm", "u", |found| found.state.displacement);
+        of.field("force_nN", "P", |found| found.state.force);
     }
 }
 
