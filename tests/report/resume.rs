@@ -199,7 +199,7 @@ fn the_points_of_another_scene_or_version_are_refused_and_kept() {
     };
     refused(&Scene { accuracy: Accuracy::to(1e-7), ..scene.clone() }, &kept);
     refused(&Scene { model: paper_strip(101.0, 1.0).into(), ..scene.clone() }, &kept);
-    let version = kept.windows(5).position(|part| part == b"0.1.0").unwrap();
+    let version = kept.windows(5).position(|part| part == env!("CARGO_PKG_VERSION").as_bytes()).unwrap();
     let mut other = kept.clone();
     other[version] = b'9';
     refused(&scene, &other);
