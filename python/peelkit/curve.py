@@ -176,7 +176,7 @@ class RateCurve(Columns):
 _Kind = TypeVar("_Kind", bound=Columns)
 
 
-def arrays(columns: Iterable[_native.Column]) -> dict[str, NDArray[Any]]:
+def arrays(columns: Iterable[_native._Column]) -> dict[str, NDArray[Any]]:
     """The columns of a table by their names without units: memory becomes that of an array."""
     return {
         name: np.array(memory) if kind == "str" else np.frombuffer(memory, dtype=kind)
@@ -184,7 +184,7 @@ def arrays(columns: Iterable[_native.Column]) -> dict[str, NDArray[Any]]:
     }
 
 
-def of_columns(kind: type[_Kind], columns: Iterable[_native.Column]) -> _Kind:
+def of_columns(kind: type[_Kind], columns: Iterable[_native._Column]) -> _Kind:
     """The table of this kind with these columns."""
     found = list(columns)
     return kind(arrays(found), {name: unit for name, unit, _, _ in found})
