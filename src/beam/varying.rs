@@ -28,6 +28,10 @@ pub trait BeamGeometry: Send + Sync + Debug {
     /// Places between 0 and L where a formula ends and the next begins, ascending, nm. Elements end there. The height and the
     /// direction of the underside are continuous, with the slope of the height.
     fn breaks(&self) -> Vec<f64>;
+    /// S beyond which nothing adheres, as behind the tip of a crack, nm.
+    fn adhering_length(&self) -> f64 {
+        self.length()
+    }
     /// The outline at a place, nm.
     fn at(&self, place: f64) -> SectionGeometry;
 }
@@ -74,7 +78,8 @@ impl Varying {
     }
 
     fn station(&self, place: f64) -> SectionAt<f64> {
-        self.section_of(&self.contour.at(place))
+        let station = self.section_of(&self.contour.at(place));
+        if place <= self.contour.adhering_length() { station } else { SectionAt { width: 0.0, ..station } }
     }
 
     /// The beam where its outline is this one.

@@ -35,6 +35,7 @@ impl StripModel {
                 poissons_ratio: 0.2,
                 shear_correction: 5.0 / 6.0,
                 bending_stiffness_factor: bending,
+                crack: None,
             },
             adhesion: Adhesion::of_half_space(0.1, 0.4),
             grip: Grip::FREE,

@@ -54,6 +54,7 @@ const TEMPLATES: &[Template] = templates![
     "strip-sideways" "a strip in space, pulled sideways",
     "strip-rolled" "a strip in space whose grip is rolled before the pull",
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
+    "double-cantilever" "an arm of a double cantilever beam with an initial crack",
     "rubber" "a soft film under a cohesive law",
     "strip-at-a-rate" "a viscous strip pulled at a rate, with inertia",
     "seta-at-a-rate" "a seta of viscous branches, 16 tips, pulled at a rate",

@@ -90,4 +90,5 @@ pub(crate) const UNKNOWN_STRIP: Strip = Strip {
     poissons_ratio: 0.2,
     shear_correction: 5.0 / 6.0,
     bending_stiffness_factor: 1.0,
+    crack: None,
 };

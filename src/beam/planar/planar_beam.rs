@@ -393,7 +393,7 @@ pub enum FrontPosition {
 const PANELS: usize = 256;
 
 impl FrontPosition {
-    /// From what adheres at each place of a chain when it lies on the substrate, over what adheres at its left end.
+    /// From what adheres at each place of a chain when it lies on the substrate, over what adheres at its left end; of the `length` that adheres.
     pub fn new(length: f64, adheres: impl Fn(f64) -> f64) -> Self {
         let place = |k: usize| length * k as f64 / PANELS as f64;
         let (mut front, mut here) = (0.0, adheres(0.0));

@@ -1,4 +1,4 @@
-//! A uniform strip of rectangular section.
+//! A uniform strip of rectangular section, of which a part at the grip may not adhere.
 
 use super::geometry::Geometry;
 use crate::beam::section::Material;
@@ -23,6 +23,8 @@ pub struct Strip {
     pub shear_correction: f64,
     /// Multiplies EI alone.
     pub bending_stiffness_factor: f64,
+    /// Length at the grip that does not adhere, an initial crack, nm
+    pub crack: Option<f64>,
 }
 
 impl Strip {
@@ -43,7 +45,11 @@ impl BeamGeometry for Strip {
     }
 
     fn breaks(&self) -> Vec<f64> {
-        Vec::new()
+        self.crack.map(|_| self.adhering_length()).into_iter().collect()
+    }
+
+    fn adhering_length(&self) -> f64 {
+        self.length - self.crack.unwrap_or(0.0)
     }
 
     fn at(&self, _place: f64) -> SectionGeometry {
@@ -65,6 +71,6 @@ impl Geometry for Strip {
     }
 
     fn is_uniform(&self) -> bool {
-        true
+        self.crack.is_none()
     }
 }

@@ -132,6 +132,13 @@ pub enum ModelErrorKind {
     #[error("is {degrees} degrees, along the strip, which is then only stretched or compressed")]
     AlongStrip { degrees: f64 },
 
+    /// A crack as long as its strip.
+    #[error("is {found} nm, and the strip is {length} nm long: nothing adheres")]
+    CrackOfWholeLength { found: f64, length: f64 },
+    /// A crack beside something that is not computed with one.
+    #[error("is given beside {what}, which is not computed with an initial crack")]
+    CrackBeside { what: &'static str },
+
     /// A spatula rounded over more than its pad.
     #[error("is {found} nm, more than the pad is long ({pad} nm)")]
     RoundingBeyondPad { found: f64, pad: f64 },
@@ -159,7 +166,8 @@ impl ModelErrorKind {
             | Self::TurnWithoutPotential { found } => Some(found),
             Self::TurnOfFreeGrip { turn } => measured(turn, "rad/nm"),
             Self::AlongStrip { degrees } => measured(degrees, "deg"),
-            Self::RoundingBeyondPad { found, .. }
+            Self::CrackOfWholeLength { found, .. }
+            | Self::RoundingBeyondPad { found, .. }
             | Self::RoundingWiderThanTip { found, .. }
             | Self::BendBeyondShaft { found, .. } => measured(found, "nm"),
             Self::TooManySteps { found, .. } => measured(found as f64, ""),
@@ -169,6 +177,7 @@ impl ModelErrorKind {
             | Self::TooLong { .. }
             | Self::Substrate(_)
             | Self::NotInSpace { .. }
+            | Self::CrackBeside { .. }
             | Self::LawInSpace(_)
             | Self::StepOfFreeGrip { .. }
             | Self::StepOutOfPlane { .. }
@@ -233,6 +242,8 @@ impl ModelErrorKind {
             }
             Self::LawInSpace(_) => "Use `law = \"body-force\"` or a cohesive law with `line_load = \"full\"`.",
             Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
+            Self::CrackOfWholeLength { .. } => "Give a crack that is shorter than the strip: the rest adheres.",
+            Self::CrackBeside { .. } => "Remove one of the two.",
             Self::RoundingBeyondPad { .. } => "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
             Self::RoundingWiderThanTip { .. } => {
                 "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`."

@@ -5,6 +5,7 @@
 //! ([`super::RodError`]).
 
 mod adhesion;
+mod body;
 pub(super) mod drive;
 pub(crate) mod error;
 mod friction;
@@ -12,7 +13,6 @@ mod ground;
 mod length;
 pub(crate) mod numbers;
 mod space;
-mod spatula;
 use super::peel::PeelModel;
 use super::problem::build::Discretisation;
 use error::{Measured, ModelError, Range};
@@ -44,7 +44,7 @@ impl PeelModel {
         length::check(self)?;
         ground::check(self)?;
         drive::check(self)?;
-        spatula::check(self)?;
+        body::check(self)?;
         space::check(self)
     }
 

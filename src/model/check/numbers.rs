@@ -52,6 +52,7 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("strip.poissons_ratio", "", Range::POISSONS_RATIO, |m| Some(strip(m)?.poissons_ratio)),
     number("strip.shear_correction", "", Positive, |m| Some(strip(m)?.shear_correction)),
     number("strip.bending_stiffness_factor", "", Positive, |m| Some(strip(m)?.bending_stiffness_factor)),
+    number("strip.crack", "nm", Positive, |m| strip(m)?.crack),
 
     number("spatula.pad_length", "nm", Positive, |m| Some(spatula(m)?.pad_length)),
     number("spatula.neck_length", "nm", Positive, |m| Some(spatula(m)?.neck_length)),

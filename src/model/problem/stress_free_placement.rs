@@ -57,7 +57,7 @@ impl StressFreePlacement {
         let law = adhesion.line_law(end.height[0]);
         let rest = VaryingReference::new(beam.clone(), law.rest_gap());
         let (touching, again) = contact(&rest, length, REACH * law.gap_scale());
-        let rest_front = settled_front(beam, adhesion, touching);
+        let rest_front = settled_front(beam, adhesion, touching.min(beam.contour().adhering_length()));
         // the same for meshes that move and that stay: a state goes from one to the other
         let along = |front: &Focus| ground.floor(front.length, MeshKind::Graded);
         let alike = front.first().and_then(along).map(|floor| (contact_extent(&rest, length, adhesion, ground), floor));
@@ -76,11 +76,11 @@ impl StressFreePlacement {
         };
         let rest_adhesion = end.width * law.rest_energy();
         let adheres = |place: f64| {
-            let outline = beam.contour().at(place);
-            outline.width * adhesion.line_law(outline.height[0]).rest_energy() / rest_adhesion
+            let SectionAt { width, height, .. } = beam.at(place);
+            width * adhesion.line_law(height).rest_energy() / rest_adhesion
         };
         Self {
-            fronts: FrontPosition::new(length, adheres),
+            fronts: FrontPosition::new(beam.contour().adhering_length(), adheres),
             rest_front,
             pieces: MeshIntervals::cut(length, &beam.contour().breaks(), wanted),
             rest: ReferenceConfiguration::Varying(Box::new(rest)),

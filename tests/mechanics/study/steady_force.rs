@@ -22,6 +22,7 @@ pub(super) fn tape() -> PeelModel {
         poissons_ratio: 0.49,
         shear_correction: 5.0 / 6.0,
         bending_stiffness_factor: 1.0,
+        crack: None,
     };
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),

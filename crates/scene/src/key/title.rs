@@ -8,6 +8,7 @@ const TITLES: &[(&str, &str, &str)] = &[
     ("strip.length", "length of the strip", "L"),
     ("strip.height", "height of the section", "h"),
     ("strip.width", "width of the section", "b"),
+    ("strip.crack", "length of the initial crack", "a₀"),
     ("strip.bending_stiffness_factor", "bending stiffness over that of the section", "EI/EI₀"),
     ("spatula.pad_length", "length of the pad", ""),
     ("spatula.neck_length", "length of the neck", ""),

@@ -1,5 +1,6 @@
 //! Strips under other laws of adhesion against collocation, and their steady force against the work of adhesion.
 
+use super::crack;
 use super::turns::Turns;
 use crate::suite::check::{Check, Measure, Topic, missing};
 use peelkit::adhesion::CohesiveShape;
@@ -11,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 pub(in crate::suite) const TOPIC: Topic = Topic {
     name: "laws",
-    about: "other laws of adhesion: collocation, steady force of those with a potential",
+    about: "other laws of adhesion: collocation, steady force of those with a potential, initial cracks",
     checks,
 };
 
@@ -36,6 +37,7 @@ const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 fn checks() -> Vec<Check> {
     let mut checks = TABLE.checks();
     checks.extend(CohesiveShape::ALL.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
+    checks.extend(crack::checks());
     checks
 }
 
