@@ -44,7 +44,7 @@ pub static KEYS: &[Key] = &[
     key("strip", "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut strip(s).poissons_ratio), "Poisson's ratio"),
     key("strip", "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).shear_correction), "shear correction factor of the section"),
     key("strip", "bending_stiffness_factor", Optional, Kind::Number(Range::Positive, |s| &mut strip(s).bending_stiffness_factor), "multiplies the bending stiffness EI alone"),
-    key("strip", "crack", Optional, Kind::Bound(Length, |s| &mut strip(s).crack), "length at the grip that does not adhere, an initial crack"),
+    key("strip", "crack", Optional, Kind::Bound(Length, |s| &mut strip(s).crack), "length of an initial crack at the grip"),
     key("strip", "section", Optional, Kind::Section(|s| &mut space::of(s).section), "in space: outline of the section"),
 
     key("spatula", "pad_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_length), "length of the flat pad at the tip"),
