@@ -1,11 +1,11 @@
 //! The arguments of `peel sweep`.
 
+use super::part::parse_part;
+use super::varied::Varied;
 use crate::help;
 use crate::input::SceneArgs;
 use crate::output::OutArgs;
-use crate::sweep::part::parse_part;
-use crate::sweep::varied::Varied;
-use crate::text_summary::UnitsArgs;
+use crate::text_summary::units::UnitsArgs;
 use clap::{Args, ValueEnum};
 use peelkit::study::PointKind;
 use peelkit_report::Part;

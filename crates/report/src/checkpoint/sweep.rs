@@ -7,7 +7,7 @@ use super::part::Part;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
 use crate::record::Object;
-use crate::records::parameters;
+use crate::records::parameters::parameters;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use peelkit::study::PeelResult;

@@ -4,9 +4,13 @@
 //! initiation, and the panel of the whole path is cut above what follows.
 
 use super::peel::limit_at;
-use crate::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, with_unit,
-};
+use crate::chart::axis::{Axis, with_unit};
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Line, Mark, Note, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
+use crate::chart::symbol::Symbol;
 use crate::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
 use peelkit::units::{FORCES, LENGTHS};

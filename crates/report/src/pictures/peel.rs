@@ -3,7 +3,8 @@
 use super::curve::{add_branch, curve_picture, mark_loss};
 use super::in_space;
 use super::shapes::{Posed, shapes_picture};
-use crate::chart::{Picture, save};
+use crate::chart::output::save;
+use crate::chart::picture::Picture;
 use crate::error::ReportError;
 use crate::names::end_reason;
 use peelkit::study::{

@@ -5,10 +5,10 @@ mod pieces;
 mod steps;
 mod table;
 
-use crate::key::Key;
-use crate::keys::KEYS;
-use crate::scene::Scene;
-use crate::value::Value;
+use super::key::Key;
+use super::keys::KEYS;
+use super::scene::Scene;
+use super::value::Value;
 use peelkit::study::Variation;
 
 /// Tables whose numbers describe no beam but its computation.
