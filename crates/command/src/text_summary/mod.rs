@@ -1,6 +1,5 @@
 //! What a run found, laid out for a person.
 
-mod branch;
 pub(crate) mod fit;
 mod layout;
 pub(crate) mod number;

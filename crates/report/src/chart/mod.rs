@@ -4,7 +4,6 @@
 pub(crate) mod axis;
 pub(crate) mod canvas;
 mod drawn;
-pub(crate) mod face;
 mod font;
 pub(crate) mod output;
 pub(crate) mod panel;
@@ -17,9 +16,8 @@ pub(crate) mod symbol;
 pub use axis::{Axis, significant, with_unit};
 pub use canvas::{Dash, Stroke};
 pub use drawn::DrawError;
-pub use face::{Face, Rim};
 pub use output::save;
-pub use panel::{Band, Line, Mark, Note, Panel, Shape};
+pub use panel::{Band, Face, Line, Mark, Note, Panel, Rim, Shape};
 pub use picture::Picture;
 pub use place::Frame;
 pub use plotters::style::RGBColor;

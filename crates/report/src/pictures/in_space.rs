@@ -1,11 +1,10 @@
 //! The deformed strip in space at points of its path, each in a parallel projection of its own, all to one scale.
 
-use super::peel::limit_at;
+use super::curve::limit_at;
 use super::projection::{View, mixed};
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
-use crate::chart::face::{Face, Rim};
-use crate::chart::panel::{Line, Mark, Note, Panel, Shape};
+use crate::chart::panel::{Face, Line, Mark, Note, Panel, Rim, Shape};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
