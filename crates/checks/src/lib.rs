@@ -11,8 +11,9 @@ pub mod suite;
 mod work_precision;
 
 pub use check_text::{check_line, checks_json};
-pub use figures::{draw_figures, holds_figures};
-pub use work_precision::{AUTOMATIC, Errors, Line, Trial, WorkPrecision, work_precision, write_work_precision};
+pub use figures::draw::{draw_figures, holds_figures};
+pub use work_precision::measure::{Errors, Line, Trial, WorkPrecision, work_precision};
+pub use work_precision::report::{AUTOMATIC, write_work_precision};
 
 /// The programs of the chapter on the library, which `cargo test` compiles and runs.
 #[cfg(doctest)]

@@ -1,11 +1,11 @@
 //! `peel accuracy`: computing time against error.
 
-use crate::command_line::command_line;
-use crate::folder_name::default_folder;
-use crate::help;
-use crate::input::{SceneArgs, parse_override};
-use crate::output::{OutArgs, list_files, progress_bar, say};
-use crate::stop::Stop;
+use super::command_line::command_line;
+use super::folder_name::default_folder;
+use super::help;
+use super::input::{SceneArgs, parse_override};
+use super::output::{OutArgs, list_files, progress_bar, say};
+use super::stop::Stop;
 use clap::Args;
 use peelkit_checks::{AUTOMATIC, Trial, WorkPrecision, work_precision, write_work_precision};
 use peelkit_report::write_parameters;

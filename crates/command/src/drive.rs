@@ -1,11 +1,11 @@
 //! What all commands have in common that analyse a scene: claim the folder, show how far it is, hear Ctrl-C, compute, write the files, say what was found,
 //! and end with the exit status of how it ended.
 
-use crate::command_line::command_line;
-use crate::interrupt::Interrupt;
-use crate::output::{OutArgs, list_files, say, warn};
-use crate::progress::Bar;
-use crate::stop::Stop;
+use super::command_line::command_line;
+use super::interrupt::Interrupt;
+use super::output::{OutArgs, list_files, say, warn};
+use super::progress::Bar;
+use super::stop::Stop;
 use peelkit::study::StopCriteria;
 use peelkit_analyses::{Analysis, End, Journal, Outcome, Progress, Refusal, Session, Watcher};
 use peelkit_scene::Scene;

@@ -1,8 +1,8 @@
 //! `peel figures`: every figure, drawn anew.
 
-use crate::help;
-use crate::output::{OutArgs, list_files, progress_bar, say};
-use crate::stop::Stop;
+use super::help;
+use super::output::{OutArgs, list_files, progress_bar, say};
+use super::stop::Stop;
 use clap::Args;
 use peelkit_checks::{draw_figures, holds_figures};
 use peelkit_report::{Existing, OutputFolder};

@@ -1,6 +1,6 @@
 //! The hard scenes, as they lie in `scenes/hard`, and how each is expected to end.
 
-use crate::stop::Stop;
+use super::stop::Stop;
 use peelkit_checks::suite::hard::{Ending, HardScene};
 use peelkit_scene::Scene;
 

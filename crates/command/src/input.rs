@@ -1,7 +1,7 @@
 //! What `run` and `sweep` read: a scene and the keys that replace those of its text.
 
-use crate::folder_name::default_folder;
-use crate::stop::Stop;
+use super::folder_name::default_folder;
+use super::stop::Stop;
 use clap::Args;
 use peelkit_scene::{Scene, SceneError};
 use std::fmt::Display;

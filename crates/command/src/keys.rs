@@ -1,8 +1,8 @@
 //! `peel keys`: the keys of a scene, one line each.
 
-use crate::help;
-use crate::output::say;
-use crate::stop::Stop;
+use super::help;
+use super::output::say;
+use super::stop::Stop;
 use clap::Args;
 use peelkit_scene::{KEYS, Key, tables};
 

@@ -46,7 +46,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Command {
     Run(run::Run),
-    Sweep(sweep::Sweep),
+    Sweep(sweep::args::Sweep),
     Collect(collect::Collect),
     Optimise(optimise::Optimise),
     Fit(fit::Fit),

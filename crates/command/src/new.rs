@@ -1,9 +1,8 @@
 //! `peel new`: a commented scene to start from.
 
-use crate::help;
-use crate::output::say;
-use crate::schema;
-use crate::stop::Stop;
+use super::output::say;
+use super::stop::Stop;
+use super::{help, schema};
 use clap::Args;
 use std::fs::{self, OpenOptions};
 use std::io::{ErrorKind, Write};

@@ -1,6 +1,6 @@
 //! Where results go: the folder of a command, standard output, and the bar on a terminal.
 
-use crate::stop::Stop;
+use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use peelkit_report::{Existing, OutputFolder, ReportError};

@@ -1,8 +1,8 @@
 //! `peel plot`: several results in one picture, with measured points over them.
 
-use crate::help;
-use crate::output::{OutArgs, list_files, say};
-use crate::stop::Stop;
+use super::help;
+use super::output::{OutArgs, list_files, say};
+use super::stop::Stop;
 use clap::Args;
 use peelkit_report::overlay::{Kind, Measured, OverlayError, ResultFile, draw_overlay};
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! How far an analysis is, on standard error.
 
-use crate::output::progress_bar;
-use crate::run_progress::RunProgress;
+use super::output::progress_bar;
+use super::run_progress::RunProgress;
 use indicatif::ProgressBar;
 use peelkit::study::StopCriteria;
 use peelkit_analyses::Progress;

@@ -1,12 +1,13 @@
 //! `peel run`: the whole peel of one scene.
 
-use crate::drive::Drive;
-use crate::help;
-use crate::input::SceneArgs;
-use crate::output::OutArgs;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary::{self, LawOfTips, UnitsArgs, WantedUnits};
+use super::drive::Drive;
+use super::input::SceneArgs;
+use super::output::OutArgs;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::text_summary::rate::LawOfTips;
+use super::text_summary::units::{UnitsArgs, WantedUnits};
+use super::{help, text_summary};
 use clap::Args;
 use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
 use peelkit_scene::Scene;
@@ -133,21 +134,21 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
     let [.., test_s] = found.beside_s;
     let beside = (found.stability.as_ref(), found.branch.as_ref());
-    let mut text = text_summary::peel(scene, &found.peel, beside, found.seconds, wanted);
+    let mut text = text_summary::peel::peel(scene, &found.peel, beside, found.seconds, wanted);
     if let Some(test) = &found.test {
-        text += &format!("\n{}", text_summary::observed(test, test_s, wanted));
+        text += &format!("\n{}", text_summary::observed::observed(test, test_s, wanted));
     }
     if let Some(exponents) = &found.exponents {
-        let text_of = text_summary::sensitivities(&exponents.found, &exponents.keys, &exponents.refused);
+        let text_of = text_summary::sensitivities::sensitivities(&exponents.found, &exponents.keys, &exponents.refused);
         text += &format!("\n{text_of}");
     }
-    text + &text_summary::taken(found.taken)
+    text + &text_summary::peel::taken(found.taken)
 }
 
 fn of_seta(scene: &Scene, found: &SetaOutcome, wanted: WantedUnits) -> String {
     let (law, pulled) = ((&found.tip, found.table(), found.outside.as_ref()), (found.pull_off(), found.peak.as_ref()));
-    let text = text_summary::seta(scene, &found.model, law, pulled, found.seconds.iter().sum(), wanted);
-    text + &text_summary::equilibria_taken(found.taken)
+    let text = text_summary::seta::seta(scene, &found.model, law, pulled, found.seconds.iter().sum(), wanted);
+    text + &text_summary::seta::equilibria_taken(found.taken)
 }
 
 fn of_rate(scene: &Scene, found: &RateOutcome, wanted: WantedUnits) -> String {
@@ -159,5 +160,5 @@ fn of_rate(scene: &Scene, found: &RateOutcome, wanted: WantedUnits) -> String {
     };
     let solve_s = found.seconds.iter().sum::<f64>() + law.as_ref().map_or(0.0, |law| law.seconds);
     let end = (found.failed.as_deref(), solve_s);
-    text_summary::rate(scene, (&found.pulled, &found.equilibria), law, end, wanted)
+    text_summary::rate::rate(scene, (&found.pulled, &found.equilibria), law, end, wanted)
 }

@@ -1,8 +1,8 @@
 //! `peel schema`: what an editor needs to help with a scene.
 
-use crate::help;
-use crate::output::say;
-use crate::stop::Stop;
+use super::help;
+use super::output::say;
+use super::stop::Stop;
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};

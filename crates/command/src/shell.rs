@@ -1,8 +1,8 @@
 //! `peel completions` and `peel man`: what a shell and the manual need to know of the command.
 
-use crate::help;
-use crate::output::say;
-use crate::stop::Stop;
+use super::help;
+use super::output::say;
+use super::stop::Stop;
 use clap::{Args, Command};
 use clap_complete::Shell;
 use std::fs;

@@ -1,12 +1,11 @@
 //! `peel uncertainty`: keys of a scene that have distributions, sampled and propagated.
 
-use crate::drive::Drive;
-use crate::help;
-use crate::input::SceneArgs;
-use crate::output::OutArgs;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary;
+use super::drive::Drive;
+use super::input::SceneArgs;
+use super::output::OutArgs;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::{help, text_summary};
 use clap::Args;
 use peelkit_analyses::Uncertainty as Analysis;
 
@@ -45,6 +44,6 @@ pub fn uncertainty(args: &Uncertainty) -> Result<(), Stop> {
         let samples = found.analysis.design.samples();
         let taken = (found.taken > 0)
             .then(|| format!("{} of {samples} samples taken from an earlier, interrupted run", found.taken));
-        text_summary::uncertainty(&scene, &found.analysis, taken.as_deref())
+        text_summary::uncertainty::uncertainty(&scene, &found.analysis, taken.as_deref())
     })
 }

@@ -1,9 +1,9 @@
 //! `peel verify`: every check of the verification suite.
 
-use crate::hard_scenes::hard_scenes;
-use crate::help;
-use crate::output::{progress_bar, say};
-use crate::stop::Stop;
+use super::hard_scenes::hard_scenes;
+use super::help;
+use super::output::{progress_bar, say};
+use super::stop::Stop;
 use clap::Args;
 use peelkit_checks::sampled::{SampleKind, SampledScenes, WAYS, scene_text, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};

@@ -1,6 +1,6 @@
 //! Writing a file so that nobody ever finds it half-written.
 
-use crate::error::ReportError;
+use super::error::ReportError;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

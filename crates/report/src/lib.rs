@@ -29,12 +29,17 @@ mod table;
 mod timing;
 mod tip_law;
 
-pub use animation::{Pose, poses, write_animation};
-pub use checkpoint::{
-    Damaged, DamagedPart, DividedSweep, Part, PartAxis, PartHeader, PartialCollection, PartialFile,
-    PartialOptimisation, PartialRun, PartialSeta, PartialSweep, PartialUncertainty, SetaCheckpoint, Storable,
-    SweepPart,
-};
+pub use animation::frames::{Pose, poses};
+pub use animation::write_animation;
+pub use checkpoint::collection::PartialCollection;
+pub use checkpoint::damaged::{Damaged, DamagedPart};
+pub use checkpoint::optimisation::PartialOptimisation;
+pub use checkpoint::part::{DividedSweep, PartAxis, PartHeader, SweepPart};
+pub use checkpoint::partial_file::PartialFile;
+pub use checkpoint::run::PartialRun;
+pub use checkpoint::seta::{PartialSeta, SetaCheckpoint};
+pub use checkpoint::sweep::{Part, PartialSweep, Storable};
+pub use checkpoint::uncertainty::PartialUncertainty;
 pub use error::ReportError;
 pub use file::write_whole;
 pub use fit_report::FitReport;
@@ -45,31 +50,55 @@ pub use names::{
 pub use number::{Finite, to_json};
 pub use outputs::outputs;
 pub use parameters_file::write_parameters;
-pub use pictures::{
-    curve_svg, draw_fit, draw_followed, draw_observed, draw_optimum, draw_peel, draw_peel_with_branch, draw_plane,
-    draw_sensitivities, draw_sweep, draw_tip_law, draw_uncertainty,
-};
+pub use pictures::fit::draw_fit;
+pub use pictures::followed::draw_followed;
+pub use pictures::observed::draw_observed;
+pub use pictures::optimisation::draw_optimum;
+pub use pictures::peel::{curve_svg, draw_peel, draw_peel_with_branch};
+pub use pictures::plane::draw_plane;
+pub use pictures::sensitivities::draw_sensitivities;
+pub use pictures::sweep::draw_sweep;
+pub use pictures::tip::draw_tip_law;
+pub use pictures::uncertainty::draw_uncertainty;
 pub use pull_row::PullRow;
-pub use rate::{
-    Contact, Equilibria, PointAtRate, PulledAtRate, RateFound, RateResult, RateRow, RateSummary, SlowPeak, draw_rate,
-    draw_swept_rates, rate_columns, write_rate_curve, write_swept_rates,
-};
+pub use rate::curve::{rate_columns, write_rate_curve};
+pub use rate::picture::draw_rate;
+pub use rate::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
+pub use rate::summary::{RateFound, RateSummary};
+pub use rate::sweep_picture::draw_swept_rates;
+pub use rate::sweep_row::{RateResult, RateRow};
+pub use rate::sweep_table::write_swept_rates;
 pub use record::{Bounded, Cell, Content, Fields, Object, Record, columns_of};
-pub use records::{
-    FitSummary, Found, GripOfPoint, ObservedSummary, OptimisationSummary, Optimised, PeelFound, PeelSummary, SCHEMA,
-    Summary, Sweep, SweepLine, SweepSummary, TipFound, TipSummary, UncertainPeel, UncertaintySummary, VERSION,
-    curve_csv, ground_warning, left_out, why_kept, work_to, write_branch, write_curve, write_equilibria, write_fit,
-    write_followed, write_history, write_limit_points, write_observed, write_samples, write_sweep, write_tip_law,
-    write_uncertainty,
-};
+pub use records::fit::{FitSummary, write_fit};
+pub use records::model::{ground_warning, why_kept};
+pub use records::observed::{ObservedSummary, write_observed};
+pub use records::optimisation::{OptimisationSummary, Optimised, write_history};
+pub use records::path::{GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points};
+pub use records::peel::{PeelFound, PeelSummary, left_out};
+pub use records::summary::{Found, SCHEMA, Summary, VERSION};
+pub use records::sweep::{Sweep, SweepLine, SweepSummary, work_to, write_followed, write_sweep};
+pub use records::tip::{TipFound, TipSummary, write_tip_law};
+pub use records::uncertainty::{UncertainPeel, UncertaintySummary, write_samples, write_uncertainty};
 pub use reference::{Output, OutputKey, Reference, merged, paths, without_unit};
-pub use seta::{
-    SETA_STATE_FIELDS, SetaFound, SetaMotion, SetaPose, SetaRow, SetaStateField, SetaSummary, TipEvents, draw_pull_off,
-    draw_swept_setae, pull_off_columns, seta_end_reason, seta_end_word, tip_peak, write_seta_animation,
-    write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events, write_seta_states,
-    write_swept_setae, write_tip_curve, write_tips,
+pub use seta::animation::write_seta_animation;
+pub use seta::motion::SetaMotion;
+pub use seta::names::{seta_end_reason, seta_end_word};
+pub use seta::picture::draw_pull_off;
+pub use seta::pose::SetaPose;
+pub use seta::summary::{SetaFound, SetaSummary, tip_peak};
+pub use seta::sweep::picture::draw_swept_setae;
+pub use seta::sweep::row::SetaRow;
+pub use seta::sweep::table::write_swept_setae;
+pub use seta::tables::{
+    pull_off_columns, write_seta_curve, write_seta_equilibria, write_seta_events, write_seta_rate_events,
+    write_tip_curve, write_tips,
 };
-pub use states::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField, write_states, write_vtk};
+pub use seta::tip_events::TipEvents;
+pub use seta::vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};
+pub use states::fields::{STATE_FIELDS, StateField};
+pub use states::spatial_fields::SPATIAL_STATE_FIELDS;
+pub use states::table::write_states;
+pub use states::vtk::write_vtk;
 pub use sweep_row::SweepRow;
 pub use swept_keys::{SweptKeys, as_given};
 pub use table::write_table;

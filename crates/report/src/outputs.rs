@@ -1,7 +1,7 @@
 //! All tables and objects that are written, each with its keys: what `docs/reference/outputs.md` is made of.
 
-use crate::reference::Output;
-use crate::{rate, records, seta, states};
+use super::reference::Output;
+use super::{rate, records, seta, states};
 
 /// Every table and every object.
 pub fn outputs() -> Vec<Output> {

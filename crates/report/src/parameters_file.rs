@@ -1,8 +1,8 @@
 //! parameters.toml: the scene as it was computed, to be run again.
 
-use crate::error::ReportError;
-use crate::file::write_whole;
-use crate::records::VERSION;
+use super::error::ReportError;
+use super::file::write_whole;
+use super::records::summary::VERSION;
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 

@@ -19,8 +19,8 @@
 //! # assert_eq!(Spring::keys()[0].unit(), "nN");
 //! ```
 
-use crate::number::{Finite, to_json};
-use crate::reference::{OutputKey, Reference};
+use super::number::{Finite, to_json};
+use super::reference::{OutputKey, Reference};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};

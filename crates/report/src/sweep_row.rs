@@ -1,6 +1,6 @@
 //! One value of a sweep of whole peels.
 
-use crate::timing::timed;
+use super::timing::timed;
 use peelkit::model::PeelModel;
 use peelkit::study::{Peel, PeelResult};
 

@@ -1,8 +1,8 @@
 //! A table in CSV, written whole or not at all.
 
-use crate::error::ReportError;
-use crate::file::write_whole;
-use crate::record::{Record, columns, csv};
+use super::error::ReportError;
+use super::file::write_whole;
+use super::record::{Record, columns, csv};
 use std::io;
 use std::path::{Path, PathBuf};
 

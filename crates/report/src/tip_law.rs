@@ -1,7 +1,8 @@
 //! The law of a tip, read back from the folder that `peel coarsen` has written.
 
-use crate::error::ReportError;
-use crate::records::{pad_end_word, parameters, sheet_word};
+use super::error::ReportError;
+use super::records::parameters::parameters;
+use super::records::tip::{pad_end_word, sheet_word};
 use peelkit::study::coarsening::{
     CoarseningOptions, PadEnd, Sheet, SheetErrors, SheetNode, SheetTable, TipRange, TipScales, TipSheet, TipTable,
 };

@@ -23,7 +23,8 @@ impl From<ModelError> for ValueError {
 
 #[cfg(test)]
 mod tests {
-    use crate::key::{Key, Kind};
+    use crate::key::Key;
+    use crate::key::kind::Kind;
     use crate::keys::{KEYS, find_key};
     use peelkit::model::{MODEL_NUMBERS, Range};
     use peelkit::study::ACCURACY_NUMBERS;

@@ -1,14 +1,11 @@
 //! Keys of a scene that do not fit one another, or that are missing.
 
 use super::error::{Origin, SceneError, ValueError};
-use super::key::{Key, Kind, Need};
+use super::key::Key;
+use super::key::kind::{Kind, Need};
 use super::keys::KEYS;
 use super::scene::Scene;
-use super::tables::fit;
-use super::tables::optimisation;
-use super::tables::rate;
-use super::tables::seta;
-use super::tables::uncertainty;
+use super::tables::{fit, optimisation, rate, seta, uncertainty};
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -55,8 +52,8 @@ impl Conflict {
         }
         let Err(error) = scene.check() else {
             let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
-            let of_questions = of_fit.or_else(|| optimisation::problem(scene));
-            let (key, problem) = of_questions.or_else(|| uncertainty::problem(scene))?;
+            let of_questions = of_fit.or_else(|| optimisation::check::problem(scene));
+            let (key, problem) = of_questions.or_else(|| uncertainty::check::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })

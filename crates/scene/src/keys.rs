@@ -2,22 +2,20 @@
 
 use super::bodies::{profile, spatula, strip};
 use super::error::ValueError;
-use super::key::{Key, Kind, Need};
+use super::key::Key;
+use super::key::kind::{Kind, Need, Need::Optional, Need::Required};
 use super::near::nearest;
 use super::scene::Scene;
-use super::shape;
-use super::space;
-use super::tables::fit;
-use super::tables::optimisation as opt;
-use super::tables::rate;
-use super::tables::seta;
-use super::tables::tips;
-use super::tables::uncertainty;
+use super::tables::optimisation::settings as opt;
+use super::tables::uncertainty::settings as uncertainty;
+use super::tables::{fit, rate, seta, tips};
 use super::value::Value;
-use super::value::quantity::Dimension::{
-    Angle, AnglePerLength, Density, Energy, Force, Length, Pressure, Stiffness, Time, Velocity, Work,
+use super::value::quantity::{
+    Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
+    Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
+    Dimension::Work,
 };
-use Need::{Optional, Required};
+use super::{shape, space};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Discretisation, MOST_FORKS, Range};
 use peelkit::study::coarsening::CoarseningOptions;

@@ -1,11 +1,11 @@
 //! A scene as data.
 
-use crate::tables::bounds::BoundsTable;
-use crate::tables::fit::FitTable;
-use crate::tables::optimisation::OptimisationTable;
-use crate::tables::rate::TimeTable;
-use crate::tables::seta::SetaTable;
-use crate::tables::uncertainty::UncertaintyTable;
+use super::tables::bounds::BoundsTable;
+use super::tables::fit::FitTable;
+use super::tables::optimisation::OptimisationTable;
+use super::tables::rate::TimeTable;
+use super::tables::seta::SetaTable;
+use super::tables::uncertainty::UncertaintyTable;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::Accuracy;
 use std::path::Path;

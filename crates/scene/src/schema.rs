@@ -4,12 +4,13 @@
 //! It is made from [`KEYS`], and refuses nothing that [`Scene::parse`](crate::Scene::parse) takes. It sees less: not whether one number fits
 //! another, nor the powers of a product of units.
 
-use crate::bodies::BODIES;
-use crate::form::{Entry, Form};
-use crate::key::{Key, Need};
-use crate::keys::{KEYS, tables};
-use crate::shape;
-use crate::tables::{fit, rate, seta, uncertainty};
+use super::bodies::BODIES;
+use super::form::{Entry, Form};
+use super::key::Key;
+use super::key::kind::Need;
+use super::keys::{KEYS, tables};
+use super::shape;
+use super::tables::{fit, rate, seta, uncertainty};
 use peelkit::adhesion::Substrate;
 use peelkit::model::Range;
 use serde_json::{Map, Value, json};

@@ -1,9 +1,10 @@
 //! A scene written as a text that reads as the same scene, to the last bit.
 
-use crate::key::{Key, Kind};
-use crate::keys::KEYS;
-use crate::scene::Scene;
-use crate::value::Value;
+use super::key::Key;
+use super::key::kind::Kind;
+use super::keys::KEYS;
+use super::scene::Scene;
+use super::value::Value;
 use std::fmt::Write;
 use toml::Table;
 

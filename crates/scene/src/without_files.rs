@@ -1,10 +1,10 @@
 //! A scene that somebody else wrote, such as a page: it reads no file.
 
-use crate::document::name_of;
-use crate::error::{Origin, SceneError, ValueError};
-use crate::keys::KEYS;
-use crate::not_toml::not_toml;
-use crate::scene::Scene;
+use super::document::name_of;
+use super::error::{Origin, SceneError, ValueError};
+use super::keys::KEYS;
+use super::not_toml::not_toml;
+use super::scene::Scene;
 use toml::de::DeTable;
 
 impl Scene {

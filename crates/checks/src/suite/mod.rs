@@ -4,7 +4,7 @@
 
 pub(crate) mod beam;
 pub(crate) mod bounds;
-mod check;
+pub(crate) mod check;
 mod grip_in_space;
 mod ground;
 pub mod hard;

@@ -3,12 +3,12 @@
 mod help;
 mod range;
 
-use crate::drive::Drive;
-use crate::input::SceneArgs;
-use crate::output::OutArgs;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary;
+use super::drive::Drive;
+use super::input::SceneArgs;
+use super::output::OutArgs;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::text_summary;
 use clap::Args;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
 use peelkit_analyses::TipCoarsening;
@@ -82,5 +82,5 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
         bar: Bar::spinner("solving the spatula"),
         answer: Some("stopping at the next equilibrium of the spatula; Ctrl-C again stops at once"),
     };
-    drive.run(&coarsening, |found| text_summary::tip(&scene.title, &found.table, found.seconds))
+    drive.run(&coarsening, |found| text_summary::tip::tip(&scene.title, &found.table, found.seconds))
 }

@@ -1,6 +1,6 @@
 //! In what two divided sweeps differ.
 
-use crate::text_summary::spaced;
+use crate::text_summary::number::spaced;
 use peelkit_report::{DividedSweep, PartAxis};
 use peelkit_scene::{KEYS, Key, Scene, find_key};
 

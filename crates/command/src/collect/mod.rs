@@ -5,11 +5,11 @@ mod help;
 mod merge;
 mod parts;
 
-use crate::command_line::joined;
-use crate::output::{OutArgs, list_files, say};
-use crate::stop::Stop;
-use crate::sweep::table;
-use crate::text_summary::UnitsArgs;
+use super::command_line::joined;
+use super::output::{OutArgs, list_files, say};
+use super::stop::Stop;
+use super::sweep::table;
+use super::text_summary::units::UnitsArgs;
 use clap::Args;
 use merge::Merged;
 use parts::Parts;

@@ -2,12 +2,12 @@
 
 mod help;
 
-use crate::drive::Drive;
-use crate::input::SceneArgs;
-use crate::output::OutArgs;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary;
+use super::drive::Drive;
+use super::input::SceneArgs;
+use super::output::OutArgs;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::text_summary;
 use clap::Args;
 use peelkit_analyses::{Data, Fitting};
 use std::path::PathBuf;
@@ -46,5 +46,5 @@ pub fn fit(args: &Fit) -> Result<(), Stop> {
         bar: Bar::spinner("fitting"),
         answer: Some("stopping: the best parameters so far are kept; Ctrl-C again stops at once"),
     };
-    drive.run(&fitting, |found| text_summary::fit(&found.report(&scene)))
+    drive.run(&fitting, |found| text_summary::fit::fit(&found.report(&scene)))
 }

@@ -2,12 +2,12 @@
 
 mod help;
 
-use crate::drive::Drive;
-use crate::input::SceneArgs;
-use crate::output::OutArgs;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary;
+use super::drive::Drive;
+use super::input::SceneArgs;
+use super::output::OutArgs;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::text_summary;
 use clap::Args;
 use peelkit_analyses::Optimisation;
 
@@ -43,7 +43,7 @@ pub fn optimise(args: &Optimise) -> Result<(), Stop> {
         answer: Some("stopping when the designs being evaluated are done; Ctrl-C again stops at once"),
     };
     drive.run(&optimisation, |found| {
-        let text = text_summary::optimum(&scene, &found.problem, &found.optimum, found.seconds);
+        let text = text_summary::optimisation::optimum(&scene, &found.problem, &found.optimum, found.seconds);
         match found.taken {
             0 => text,
             taken => format!("{text}\n{taken} designs taken from an earlier, interrupted run\n"),

@@ -2,10 +2,10 @@
 
 mod help;
 
-use crate::input::{parse_override, read_scene};
-use crate::interrupt::Interrupt;
-use crate::output::say;
-use crate::stop::Stop;
+use super::input::{parse_override, read_scene};
+use super::interrupt::Interrupt;
+use super::output::say;
+use super::stop::Stop;
 use clap::Args;
 use peelkit_serve::{Limits, Server, StartScene};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};

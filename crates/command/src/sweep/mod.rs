@@ -1,16 +1,17 @@
 //! `peel sweep`: one number of a scene varied, or two; each value peeled from rest to its end, or one point of the peel followed.
 
-mod args;
+pub(crate) mod args;
 mod axes;
 mod part;
 mod varied;
 
-pub use args::Sweep;
+use args::Sweep;
 
-use crate::drive::Drive;
-use crate::progress::Bar;
-use crate::stop::Stop;
-use crate::text_summary::{self, WantedUnits};
+use super::drive::Drive;
+use super::progress::Bar;
+use super::stop::Stop;
+use super::text_summary;
+use super::text_summary::units::WantedUnits;
 use peelkit_analyses::{Axis, Cases, Rows, Sweep as Analysis, SweepOutcome};
 use peelkit_report::SweptKeys;
 use peelkit_scene::{Key, Scene};
@@ -55,9 +56,9 @@ fn refuse_set_keys(overrides: &[(String, String)], keys: SweptKeys) -> Result<()
 pub fn table(scene: &Scene, found: &SweepOutcome, wanted: WantedUnits) -> String {
     let (keys, remarks) = (found.keys, &found.remarks);
     match &found.rows {
-        Rows::Peels(rows) => text_summary::sweep(scene, keys, rows, remarks, wanted),
-        Rows::Setae(rows) => text_summary::swept_setae(scene, keys, rows, remarks, wanted),
-        Rows::Rates(rows) => text_summary::swept_rates(scene, keys, rows, remarks, wanted),
-        Rows::Followed(sweep, seconds) => text_summary::followed(scene, keys.first, sweep, seconds, wanted),
+        Rows::Peels(rows) => text_summary::sweep::sweep(scene, keys, rows, remarks, wanted),
+        Rows::Setae(rows) => text_summary::swept_setae::swept_setae(scene, keys, rows, remarks, wanted),
+        Rows::Rates(rows) => text_summary::swept_rates::swept_rates(scene, keys, rows, remarks, wanted),
+        Rows::Followed(sweep, seconds) => text_summary::sweep::followed(scene, keys.first, sweep, seconds, wanted),
     }
 }

@@ -7,22 +7,9 @@ use peelkit_analyses::Axis;
 use peelkit_report::{DividedSweep, Part, PartAxis, PartHeader, VERSION};
 use peelkit_scene::Scene;
 
-/// Most parts of a sweep.
-const MOST: usize = 1_000_000;
-
 /// Options that do not belong to the undivided sweep, and whether a word follows them.
 const OF_A_PART: [(&str, bool); 5] =
     [("--part", true), ("--out", true), ("--force", false), ("--fresh", false), ("--json", false)];
-
-/// Reads `I/N`.
-pub fn parse_part(text: &str) -> Result<Part, String> {
-    let wrong =
-        || format!("write I/N with I from 1 to N and N at most {MOST}, such as 3/8 for the third of eight parts");
-    let (index, of) = text.split_once('/').ok_or_else(wrong)?;
-    let number = |text: &str| text.trim().parse::<usize>().ok().filter(|&number| (1..=MOST).contains(&number));
-    let part = number(index).zip(number(of)).map(|(index, of)| Part { index, of });
-    part.filter(|part| part.index <= part.of).ok_or_else(wrong)
-}
 
 /// Refuses a part of what cannot be divided.
 pub fn check(args: &Sweep, part: Part, axes: &[Axis]) -> Result<(), Stop> {
@@ -79,14 +66,6 @@ fn undivided(words: Vec<String>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_part_is_one_of_so_many() {
-        assert_eq!(parse_part("3/8"), Ok(Part { index: 3, of: 8 }));
-        for wrong in ["0/8", "9/8", "3", "3/", "/8", "-1/8", "1/0", "a/b", "1.5/2", "1/2000000"] {
-            assert!(parse_part(wrong).is_err(), "{wrong}");
-        }
-    }
 
     #[test]
     fn every_case_lies_in_one_part_and_parts_are_even() {

@@ -1,18 +1,18 @@
 //! A peel as a page that a browser plays: the beam over the substrate beside the curve with a moving point. The page is one file that
 //! needs no other, and well-formed XML.
 
-mod frames;
+pub(crate) mod frames;
 mod page;
 pub(crate) mod panel;
 pub(crate) mod player;
 
-use crate::error::ReportError;
-use crate::file::write_whole;
-use crate::pictures::peel::captioned;
+use super::error::ReportError;
+use super::file::write_whole;
+use super::pictures::peel::captioned;
 use peelkit::study::Peel;
 use std::path::{Path, PathBuf};
 
-pub use frames::{Pose, poses};
+use frames::poses;
 
 /// Writes `animation.html` into `dir`.
 ///

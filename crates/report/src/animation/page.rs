@@ -3,7 +3,8 @@
 use super::frames::Pose;
 use super::panel::{Panel, escaped, joined};
 use super::player::{PLAYER, controls};
-use crate::chart::{Axis, Frame};
+use crate::chart::axis::Axis;
+use crate::chart::place::Frame;
 use peelkit::study::Peel;
 use std::fmt::Write;
 

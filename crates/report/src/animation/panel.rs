@@ -1,6 +1,7 @@
 //! A frame with two axes in SVG, and texts as they stand in it.
 
-use crate::chart::{Axis, Frame};
+use crate::chart::axis::Axis;
+use crate::chart::place::Frame;
 use std::fmt::Write;
 
 /// A text as it stands in XML.

@@ -1,25 +1,23 @@
 //! The small vocabulary that every picture is drawn with: a picture has panels; a panel has two axes, bands, shapes,
 //! lines and marks. Labels and the legend find their own places.
 
-mod axis;
-mod canvas;
+pub(crate) mod axis;
+pub(crate) mod canvas;
 mod drawn;
-mod face;
 mod font;
-mod output;
-mod panel;
-mod picture;
-mod place;
+pub(crate) mod output;
+pub(crate) mod panel;
+pub(crate) mod picture;
+pub(crate) mod place;
 mod shorthand;
-mod style;
-mod symbol;
+pub(crate) mod style;
+pub(crate) mod symbol;
 
 pub use axis::{Axis, significant, with_unit};
 pub use canvas::{Dash, Stroke};
 pub use drawn::DrawError;
-pub use face::{Face, Rim};
 pub use output::save;
-pub use panel::{Band, Line, Mark, Note, Panel, Shape};
+pub use panel::{Band, Face, Line, Mark, Note, Panel, Rim, Shape};
 pub use picture::Picture;
 pub use place::Frame;
 pub use plotters::style::RGBColor;

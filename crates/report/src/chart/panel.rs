@@ -3,7 +3,6 @@
 use super::axis::{Axis, Tick};
 use super::canvas::{Align, Canvas, Pixel, Stroke};
 use super::drawn::Drawn;
-use super::face::{Face, Rim};
 use super::place::{Frame, Places, clip};
 use super::style::{colour, size};
 use super::symbol::{Symbol, draw_symbol};
@@ -44,6 +43,15 @@ pub struct Shape {
     pub opacity: f64,
 }
 
+/// A filled outline with lines on it. It covers what was drawn before it: faces stand in a panel from the farthest to the nearest.
+#[derive(Clone, Debug)]
+pub struct Face {
+    /// What is filled
+    pub shape: Shape,
+    /// Lines on it, in the units of the axes.
+    pub lines: Vec<(Vec<(f64, f64)>, Stroke)>,
+}
+
 /// A marked point; with a name its symbol stands in the legend, with a note it is labelled.
 #[derive(Clone, Debug)]
 pub struct Mark {
@@ -73,6 +81,15 @@ pub struct Note {
     pub badge: Option<usize>,
     /// Lines of text.
     pub text: Vec<String>,
+}
+
+/// What stands around a panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rim {
+    /// A frame with ticks, numbers and the titles of the axes
+    Axes,
+    /// A pale frame: the units of the axes mean nothing to a reader
+    Plain,
 }
 
 /// A frame with two axes and all that is drawn inside.

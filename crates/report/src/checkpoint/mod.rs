@@ -1,23 +1,13 @@
 //! What an unfinished command has found, kept in a file as it comes and taken up by the next one.
 
-mod collection;
-mod damaged;
+pub(crate) mod collection;
+pub(crate) mod damaged;
 mod growing_file;
 mod lines;
-mod optimisation;
-mod part;
-mod partial_file;
-mod run;
-mod seta;
-mod sweep;
-mod uncertainty;
-
-pub use collection::PartialCollection;
-pub use damaged::{Damaged, DamagedPart};
-pub use optimisation::PartialOptimisation;
-pub use part::{DividedSweep, Part, PartAxis, PartHeader, SweepPart};
-pub use partial_file::PartialFile;
-pub use run::PartialRun;
-pub use seta::{PartialSeta, SetaCheckpoint};
-pub use sweep::{PartialSweep, Storable};
-pub use uncertainty::PartialUncertainty;
+pub(crate) mod optimisation;
+pub(crate) mod part;
+pub(crate) mod partial_file;
+pub(crate) mod run;
+pub(crate) mod seta;
+pub(crate) mod sweep;
+pub(crate) mod uncertainty;

@@ -6,7 +6,7 @@ use super::lines::Lines;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
 use crate::record::Object;
-use crate::records::parameters;
+use crate::records::parameters::parameters;
 use peelkit::study::optimisation::Evaluation;
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};

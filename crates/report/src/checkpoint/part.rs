@@ -1,43 +1,15 @@
 //! One part of a sweep that several machines divide: the file from which `peel collect` puts the parts together again.
 
 use super::lines::{first_line, read_lines, result_line};
-use super::sweep::Line;
+use super::sweep::{Line, Part};
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::sweep_row::SweepRow;
 use peelkit::study::PeelResult;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Which part of a divided sweep: `index`, counted from 1, of `of`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Part {
-    /// From 1 to `of`
-    pub index: usize,
-    /// The number of parts
-    pub of: usize,
-}
-
-impl Part {
-    /// Whether this part computes the case of this number, counted from 0. Neighbours lie in different parts: they cost alike, so parts do.
-    pub fn has(self, case: usize) -> bool {
-        Self::with_case(case, self.of) == self
-    }
-
-    /// The part, of so many, that computes the case of this number, counted from 0.
-    pub fn with_case(case: usize, of: usize) -> Self {
-        Self { index: case % of + 1, of }
-    }
-}
-
-impl fmt::Display for Part {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}/{}", self.index, self.of)
-    }
-}
 
 /// A key of a divided sweep and all of its values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

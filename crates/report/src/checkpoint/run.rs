@@ -7,7 +7,7 @@ use super::lines::first_line;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
 use crate::record::Object;
-use crate::records::parameters;
+use crate::records::parameters::parameters;
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};

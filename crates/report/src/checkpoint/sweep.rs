@@ -3,11 +3,10 @@
 
 use super::damaged::Damaged;
 use super::lines::Lines;
-use super::part::Part;
 use super::partial_file::PartialFile;
 use crate::error::ReportError;
 use crate::record::Object;
-use crate::records::parameters;
+use crate::records::parameters::parameters;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;
 use peelkit::study::PeelResult;
@@ -15,6 +14,7 @@ use peelkit_scene::Scene;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
+use std::fmt;
 use std::path::Path;
 
 /// The file of an unfinished sweep: a line that identifies the sweep, then a line a finished value, in no order. Of each value it has what was found:
@@ -24,6 +24,33 @@ pub struct PartialSweep<F = PeelResult> {
     lines: Lines<Line<F>>,
     /// By the bits of the values.
     taken: HashMap<(u64, Option<u64>), Line<F>>,
+}
+
+/// Which part of a divided sweep: `index`, counted from 1, of `of`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Part {
+    /// From 1 to `of`
+    pub index: usize,
+    /// The number of parts
+    pub of: usize,
+}
+
+impl Part {
+    /// Whether this part computes the case of this number, counted from 0. Neighbours lie in different parts: they cost alike, so parts do.
+    pub fn has(self, case: usize) -> bool {
+        Self::with_case(case, self.of) == self
+    }
+
+    /// The part, of so many, that computes the case of this number, counted from 0.
+    pub fn with_case(case: usize, of: usize) -> Self {
+        Self { index: case % of + 1, of }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.of)
+    }
 }
 
 /// The first line. Two sweeps are the same where these lines are: one program, one scene with its defaults, one key,

@@ -2,7 +2,7 @@
 
 mod lock;
 
-use crate::error::ReportError;
+use super::error::ReportError;
 use lock::{FolderLock, NotLocked};
 use std::env;
 use std::fs;

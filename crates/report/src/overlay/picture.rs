@@ -1,7 +1,16 @@
 //! The picture of several results.
 
-use super::{Kind, Measured, ResultFile};
-use crate::chart::{Axis, Frame, Line, Mark, Panel, Picture, RGBColor, Stroke, Symbol, WIDTH, colour, save};
+use super::measured::Measured;
+use super::result::{Kind, ResultFile};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::{Dash, Stroke};
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
+use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use std::path::{Path, PathBuf};
 
@@ -65,7 +74,7 @@ pub fn draw_overlay(
     let x = Axis::around(&titles.0, at().map(|point| point.0), log[0]);
     let y = Axis::around(titles.1, at().map(|point| point.1), log[1]);
     (panel.x, panel.y) = (x, y);
-    let dashed = panel.lines.iter().any(|line| line.stroke.dash == crate::chart::Dash::Dashed);
+    let dashed = panel.lines.iter().any(|line| line.stroke.dash == Dash::Dashed);
     let caption = if dashed { "\nDashed: unstable under displacement control." } else { "" };
     let picture = Picture { title: format!("{title}{caption}"), height: HEIGHT, panels: vec![panel] };
     save(&picture, dir, "plot")

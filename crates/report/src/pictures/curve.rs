@@ -3,10 +3,13 @@
 //! The peel begins within a nanometre and runs on for a hundred: where that is so, a panel of its own shows the
 //! initiation, and the panel of the whole path is cut above what follows.
 
-use super::peel::limit_at;
-use crate::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, order_shade, with_unit,
-};
+use crate::chart::axis::{Axis, with_unit};
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Line, Mark, Note, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
+use crate::chart::symbol::Symbol;
 use crate::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
 use peelkit::units::{FORCES, LENGTHS};
@@ -269,6 +272,20 @@ pub(super) fn add_branch(picture: &mut Picture, branch: &OutOfPlaneBranch) {
         let line = panel.lines.iter_mut().find(is_of_branch);
         line.into_iter().for_each(|line| line.name = Some("branch out of the plane, dashed where unstable".into()));
     }
+}
+
+/// The displacement limit point, or the initiation peak, of which this path point is the nearest.
+pub(super) fn limit_at(peel: &Peel, index: usize) -> Option<&LimitPoint> {
+    let is_peak = |limit: &LimitPoint| peel.initiation_peak.is_some_and(|peak| peak.displacement == limit.displacement);
+    let shown = |limit: &&LimitPoint| limit.kind == LimitPointKind::Displacement || is_peak(limit);
+    peel.limit_points.iter().filter(shown).find(|limit| nearest_to(peel, limit) == Some(index))
+}
+
+/// Of the path points on either side of a limit point the nearer one.
+pub(super) fn nearest_to(peel: &Peel, limit: &LimitPoint) -> Option<usize> {
+    let last = peel.points.len().checked_sub(1)?;
+    let off = |i: usize| (peel.points[i].displacement - limit.displacement).abs();
+    (limit.after.min(last)..=(limit.after + 1).min(last)).min_by(|&a, &b| off(a).total_cmp(&off(b)))
 }
 
 fn title_of(peel: &Peel, limit: &LimitPoint) -> Option<&'static str> {

@@ -1,6 +1,14 @@
 //! The picture of a fit: the measured curve with that of the model, the residuals below, and profile likelihoods where there are any.
 
-use crate::chart::{Axis, Frame, Line, Mark, Panel, Picture, RGBColor, Stroke, Symbol, WIDTH, colour, save};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
+use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use peelkit::study::{Fit, FittedParameter, MeasuredCurve, PointPlace, Profile};
 use peelkit_scene::find_key;

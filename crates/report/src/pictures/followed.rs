@@ -1,7 +1,13 @@
 //! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
 
 use super::sweep::{axis_of, broken, check_axis, dotted, panel};
-use crate::chart::{Axis, Frame, Line, Picture, Stroke, WIDTH, colour, save};
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::Line;
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
 use std::path::{Path, PathBuf};

@@ -1,12 +1,15 @@
 //! The deformed strip in space at points of its path, each in a parallel projection of its own, all to one scale.
 
-use super::peel::limit_at;
+use super::curve::limit_at;
 use super::projection::{View, mixed};
-use crate::chart::{
-    Axis, Face, Frame, Line, Mark, Note, Panel, Picture, Rim, Shape, Stroke, Symbol, WIDTH, colour, order_shade,
-    significant, with_unit,
-};
-use crate::states::outline;
+use crate::chart::axis::{Axis, significant, with_unit};
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Face, Line, Mark, Note, Panel, Rim, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
+use crate::chart::symbol::Symbol;
+use crate::states::surface::outline;
 use peelkit::adhesion::SectionShape;
 use peelkit::beam::SpatialSectionPlace;
 use peelkit::model::{PeelModel, Space};

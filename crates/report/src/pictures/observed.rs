@@ -1,6 +1,13 @@
 //! The picture of a test: force against the machine's displacement, there and back.
 
-use crate::chart::{Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, Symbol, WIDTH, colour, save, with_unit};
+use crate::chart::axis::{Axis, with_unit};
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Note, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
+use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use crate::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};

@@ -1,6 +1,13 @@
 //! An optimisation: the shape before and after, both peels, and how the searches went.
 
-use crate::chart::{Axis, Frame, Line, Panel, Picture, RGBColor, Stroke, WIDTH, colour, order_shade, save};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::error::ReportError;
 use peelkit::model::PeelModel;
 use peelkit::study::Peel;

@@ -1,9 +1,10 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
-use super::curve::{add_branch, curve_picture, mark_loss};
+use super::curve::{add_branch, curve_picture, limit_at, mark_loss, nearest_to};
 use super::in_space;
 use super::shapes::{Posed, shapes_picture};
-use crate::chart::{Picture, save};
+use crate::chart::output::save;
+use crate::chart::picture::Picture;
 use crate::error::ReportError;
 use crate::names::end_reason;
 use peelkit::study::{
@@ -100,20 +101,6 @@ pub fn pose(peel: &Peel, index: usize) -> Option<Pose> {
         Some((limit, axis)) => Pose { displacement: limit.displacement, force: limit.force, axis },
         None => Pose { displacement: point.displacement, force: point.force, axis: peel.smooth_shape(index) },
     })
-}
-
-/// The displacement limit point, or the initiation peak, of which this path point is the nearest.
-pub(crate) fn limit_at(peel: &Peel, index: usize) -> Option<&LimitPoint> {
-    let is_peak = |limit: &LimitPoint| peel.initiation_peak.is_some_and(|peak| peak.displacement == limit.displacement);
-    let shown = |limit: &&LimitPoint| limit.kind == LimitPointKind::Displacement || is_peak(limit);
-    peel.limit_points.iter().filter(shown).find(|limit| nearest_to(peel, limit) == Some(index))
-}
-
-/// Of the path points on either side of a limit point the nearer one.
-fn nearest_to(peel: &Peel, limit: &LimitPoint) -> Option<usize> {
-    let last = peel.points.len().checked_sub(1)?;
-    let off = |i: usize| (peel.points[i].displacement - limit.displacement).abs();
-    (limit.after.min(last)..=(limit.after + 1).min(last)).min_by(|&a, &b| off(a).total_cmp(&off(b)))
 }
 
 /// The curve of a peel that has one; `path` is what the message names.

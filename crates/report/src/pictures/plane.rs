@@ -1,7 +1,14 @@
 //! The picture of a sweep over two keys: maps of the peak force and of the work to snap-off over the plane of both, with contours.
 
 use super::contour::{Node, crossing};
-use crate::chart::{Axis, Frame, Line, Panel, Picture, RGBColor, Shape, Stroke, WIDTH, colour, order_shade, save};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::error::ReportError;
 use crate::sweep_row::SweepRow;
 use crate::swept_keys::SweptKeys;

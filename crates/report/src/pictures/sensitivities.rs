@@ -1,6 +1,12 @@
 //! By which power of each parameter the results of a peel change, as bars.
 
-use crate::chart::{Axis, Frame, Line, Panel, Picture, Shape, Stroke, WIDTH, colour, save};
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
 use peelkit::study::{Exponent, PeelQuantity};
 use std::path::{Path, PathBuf};

@@ -1,8 +1,12 @@
 //! The deformed strip with its thickness over the substrate, drawn to scale.
 
-use crate::chart::{
-    Axis, Frame, Line, Mark, Note, Panel, Picture, Shape, Stroke, Symbol, WIDTH, colour, order_shade, with_unit,
-};
+use crate::chart::axis::{Axis, with_unit};
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Line, Mark, Note, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, order_shade};
+use crate::chart::symbol::Symbol;
 use peelkit::adhesion::Substrate;
 use peelkit::study;
 use peelkit::units::{FORCES, LENGTHS};

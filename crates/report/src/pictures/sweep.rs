@@ -1,6 +1,12 @@
 //! The picture of a sweep: peak force and plateau, and below them the peeling work, against the varied value.
 
-use crate::chart::{Axis, Dash, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save};
+use crate::chart::axis::Axis;
+use crate::chart::canvas::{Dash, Stroke};
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
 use crate::sweep_row::SweepRow;
 use peelkit::analytic::kendall_force;

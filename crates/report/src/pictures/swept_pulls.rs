@@ -1,7 +1,14 @@
 //! The picture of a sweep of pulls: one panel a quantity, against the varied value; or maps over two.
 
-use super::{axis_of, broken, check_axis, dotted, draw_maps, panel};
-use crate::chart::{Axis, Frame, Panel, Picture, Stroke, WIDTH, save};
+use super::plane::draw_maps;
+use super::sweep::{axis_of, broken, check_axis, dotted, panel};
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::Panel;
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::WIDTH;
 use crate::error::ReportError;
 use crate::pull_row::PullRow;
 use crate::swept_keys::SweptKeys;

@@ -1,6 +1,13 @@
 //! The picture of the law of a tip: the normal force over the displacement, with the limits.
 
-use crate::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, colour, order_shade, save, significant};
+use crate::chart::axis::{Axis, significant};
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{colour, order_shade};
+use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use peelkit::study::coarsening::{PadEnd, Sheet, TipPlace, TipSheet, TipTable};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,13 @@
 //! What is uncertain of one result: how it is distributed, where its variance comes from, and what each input does alone.
 
-use crate::chart::{Axis, Band, Dash, Frame, Line, Panel, Picture, RGBColor, Shape, Stroke, WIDTH, colour, save};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::{Dash, Stroke};
+use crate::chart::output::save;
+use crate::chart::panel::{Band, Line, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
 use peelkit::study::uncertainty::{ALONE_AT, Analysis, NumberAnalysis, Order, Statistics};
 use peelkit_scene::find_key;

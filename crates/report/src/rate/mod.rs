@@ -1,23 +1,17 @@
 //! What a user gets of a pull at a rate: the curve, the summary, the picture; of a sweep of them the table and its picture.
 
-mod curve;
-mod picture;
-mod pulled;
-mod summary;
-mod sweep_picture;
-mod sweep_row;
-mod sweep_table;
+pub(crate) mod curve;
+pub(crate) mod picture;
+pub(crate) mod pulled;
+pub(crate) mod summary;
+pub(crate) mod sweep_picture;
+pub(crate) mod sweep_row;
+pub(crate) mod sweep_table;
 
-use crate::record::Record;
-use crate::reference::Output;
+use super::record::Record;
+use super::reference::Output;
 
-pub use curve::{rate_columns, write_rate_curve};
-pub use picture::draw_rate;
-pub use pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
-pub use summary::{RateFound, RateSummary};
-pub use sweep_picture::draw_swept_rates;
-pub use sweep_row::{RateResult, RateRow};
-pub use sweep_table::write_swept_rates;
+use sweep_row::RateRow;
 
 /// What is written of pulls at a rate.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -2,7 +2,13 @@
 //! tips adhere.
 
 use super::pulled::{Equilibria, PointAtRate, PulledAtRate};
-use crate::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, save, significant};
+use crate::chart::axis::{Axis, significant};
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
 use std::path::{Path, PathBuf};
 

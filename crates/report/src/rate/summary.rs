@@ -3,9 +3,10 @@
 use super::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 use crate::number::S_PER_NS;
 use crate::record::{Fields, Record};
-use crate::records::{Found, Summary};
+use crate::records::summary::{Found, Summary};
 use crate::reference::Output;
-use crate::seta::{RestOfTip, TipEvents, tip_peak};
+use crate::seta::summary::{RestOfTip, tip_peak};
+use crate::seta::tip_events::TipEvents;
 use peelkit::model::PullCurve;
 use peelkit::solve::time::EnergyBalance;
 use peelkit::study::{InTimePeak, SetaInTime, TipLoss};

@@ -1,9 +1,9 @@
 //! The picture of a sweep of pulls at a rate: the largest force and what is dissipated up to it, against the varied value; or maps over two.
 
 use super::sweep_row::{RateResult, RateRow};
-use crate::chart::colour;
+use crate::chart::style::colour;
 use crate::error::ReportError;
-use crate::pictures::{Quantity, draw_swept_pulls};
+use crate::pictures::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::swept_keys::SweptKeys;
 use std::path::{Path, PathBuf};
 

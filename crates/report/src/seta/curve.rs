@@ -3,7 +3,12 @@
 use super::motion::SetaMotion;
 use super::route::travels;
 use super::side_view::MICRO;
-use crate::chart::{Axis, Band, Frame, Line, Mark, Panel, Picture, Stroke, WIDTH, colour, significant};
+use crate::chart::axis::{Axis, significant};
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Band, Line, Mark, Panel};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour};
 use peelkit::study::{SetaPoint, SetaPullOff, SetaState};
 
 /// Heights of the two panels, and where the first one begins and the second one, pixels.

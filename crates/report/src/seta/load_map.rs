@@ -1,6 +1,11 @@
 //! Maps of the load per tip over the grid of tips, one a moment of the pull-off, with one scale.
 
-use crate::chart::{Axis, Frame, Line, Panel, Picture, Shape, Stroke, WIDTH, colour, signed_shade};
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Line, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{WIDTH, colour, signed_shade};
 
 /// Shades of the colour bar.
 const SHADES: usize = 64;

@@ -1,7 +1,13 @@
 //! A seta seen from the side, along z: its branches as thick as they are, its tips and the ground.
 
 use super::pose::SetaPose;
-use crate::chart::{Axis, Frame, Line, Mark, Panel, RGBColor, Shape, Stroke, Symbol, colour};
+use crate::chart::RGBColor;
+use crate::chart::axis::Axis;
+use crate::chart::canvas::Stroke;
+use crate::chart::panel::{Line, Mark, Panel, Shape};
+use crate::chart::place::Frame;
+use crate::chart::style::colour;
+use crate::chart::symbol::Symbol;
 use peelkit::study::SetaBranch;
 
 /// Nanometres in a micrometre.

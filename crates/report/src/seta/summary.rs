@@ -3,7 +3,7 @@
 use super::names::{seta_end_reason, seta_end_word};
 use super::tip_events::TipEvents;
 use crate::record::{Fields, Record};
-use crate::records::{Found, Summary};
+use crate::records::summary::{Found, Summary};
 use crate::reference::Output;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, TableRound, TipSheet};

@@ -4,7 +4,7 @@ use super::pose::SetaPose;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::reference::{Output, OutputKey};
-use crate::states::{Grid, PointData, collection};
+use crate::states::grid::{Grid, PointData, collection};
 use peelkit::beam::BranchSection;
 use peelkit::study::SetaBranch;
 use std::path::{Path, PathBuf};

@@ -1,16 +1,14 @@
 //! A value goes into a scene under its key, and comes out again.
 
+use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
-use super::{Key, Kind};
+use super::kind::Kind;
 use crate::error::ValueError;
 use crate::scene::Scene;
-use crate::shape;
-use crate::space;
-use crate::value::pieces;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
-use crate::value::steps;
 use crate::value::table::{read_heights, read_profile};
-use crate::value::{Fault, Value, quoted};
+use crate::value::{Fault, Value, pieces, quoted, steps};
+use crate::{shape, space};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
 use peelkit::study::FollowedUntil;

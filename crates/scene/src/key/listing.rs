@@ -1,7 +1,8 @@
 //! A key in a few words, as a list of keys shows it: its default and what it may be.
 
+use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
-use super::{Key, Kind, Need};
+use super::kind::{Kind, Need};
 use crate::form::Form;
 use crate::scene::Scene;
 use crate::shape;

@@ -1,14 +1,13 @@
 //! What is said about a key: what it takes, an example, and what is wrong with a value.
 
+use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
-use super::{Key, Kind};
+use super::kind::Kind;
 use crate::error::{ValueError, one_line};
 use crate::near::nearest;
 use crate::shape;
-use crate::value::pieces;
 use crate::value::quantity::{Comma, Dimension, QuantityError};
-use crate::value::steps;
-use crate::value::{Value, quoted, show};
+use crate::value::{Value, pieces, quoted, show, steps};
 use peelkit::model::Range;
 use peelkit::study::FollowedUntil;
 

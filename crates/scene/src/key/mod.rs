@@ -2,23 +2,18 @@
 
 mod access;
 mod choice;
-mod kind;
+pub(crate) mod kind;
 mod listing;
 mod message;
 mod title;
 
-pub use kind::{Kind, Need, Setting};
+use kind::{Kind, Need};
 
-use crate::bodies::{BODIES, body_of};
-use crate::error::ValueError;
-use crate::scene::Scene;
-use crate::shape;
-use crate::space;
-use crate::tables::fit;
-use crate::tables::optimisation;
-use crate::tables::rate;
-use crate::tables::seta;
-use crate::tables::uncertainty;
+use super::bodies::{BODIES, body_of};
+use super::error::ValueError;
+use super::scene::Scene;
+use super::tables::{fit, optimisation, rate, seta, uncertainty};
+use super::{shape, space};
 use peelkit::model::{Body, ProfileForm};
 
 /// A key of a scene.

@@ -1,6 +1,5 @@
 //! A number of a list as a parameter of the model.
 
-use super::{pieces, steps, table};
 use peelkit::model::PeelModel;
 use peelkit::study::{MOST_CHANGED, Variation};
 
@@ -12,12 +11,6 @@ pub(super) struct NumberInList {
     /// The key of the list with the place in it
     pub key: String,
     pub changed: Changed,
-}
-
-/// Those of all lists of a model that are not zero.
-pub(super) fn numbers(model: &PeelModel) -> Vec<NumberInList> {
-    let lists = [table::numbers(model), pieces::numbers(model), steps::numbers(model)];
-    lists.into_iter().flatten().collect()
 }
 
 impl NumberInList {

@@ -5,10 +5,10 @@ mod pieces;
 mod steps;
 mod table;
 
-use crate::key::Key;
-use crate::keys::KEYS;
-use crate::scene::Scene;
-use crate::value::Value;
+use super::key::Key;
+use super::keys::KEYS;
+use super::scene::Scene;
+use super::value::Value;
 use peelkit::study::Variation;
 
 /// Tables whose numbers describe no beam but its computation.
@@ -34,7 +34,8 @@ impl Scene {
         let numbers = numbers.filter(|key| !NOT_OF_THE_MODEL.contains(&key.table));
         let mut found =
             Parameters { variations: numbers.filter_map(|key| self.variation(key)).collect(), fixed: vec![] };
-        for number in in_lists::numbers(&self.model) {
+        let lists = [table::numbers(&self.model), pieces::numbers(&self.model), steps::numbers(&self.model)];
+        for number in lists.into_iter().flatten() {
             match number.into_variation(&self.model) {
                 Ok(variation) => found.variations.push(variation),
                 Err(fixed) => found.fixed.push(fixed),

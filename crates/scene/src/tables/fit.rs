@@ -2,7 +2,8 @@
 
 use crate::error::{ValueError, one_line};
 use crate::form::Form;
-use crate::key::{Key, Setting};
+use crate::key::Key;
+use crate::key::kind::Setting;
 use crate::keys::find_key;
 use crate::near::nearest;
 use crate::scene::Scene;

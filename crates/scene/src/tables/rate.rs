@@ -4,7 +4,7 @@ use super::seta::SetaTable;
 use super::tips::SetaTipLaw;
 use crate::error::{Origin, SceneError, ValueError};
 use crate::form::Form;
-use crate::key::Setting;
+use crate::key::kind::Setting;
 use crate::scene::Scene;
 use crate::value::{Fault, Value, quoted};
 use peelkit::beam::Viscosity;

@@ -1,6 +1,7 @@
 //! A seta: its table, which keys a scene with one has, and what it says of the tips.
 
-use super::tips::{self, SetaTipLaw};
+use super::tips;
+use super::tips::SetaTipLaw;
 use crate::bodies::set_body;
 use crate::error::{Origin, SceneError, ValueError};
 use crate::key::Key;

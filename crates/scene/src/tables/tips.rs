@@ -3,7 +3,7 @@
 use super::seta::{SetaTable, of};
 use crate::error::ValueError;
 use crate::form::Form;
-use crate::key::Setting;
+use crate::key::kind::Setting;
 use crate::value::{Fault, Value, quoted};
 
 /// What the tips of a seta follow.

@@ -6,7 +6,7 @@ pub(crate) mod steps;
 pub(crate) mod table;
 mod unit;
 
-use crate::error::one_line;
+use super::error::one_line;
 use peelkit::model::Measured;
 use std::fmt;
 

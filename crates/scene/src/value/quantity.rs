@@ -1,6 +1,7 @@
 //! A number with its unit, as a user writes it: "100 nm", "2 GPa", "1e-19 J".
 
-use super::unit::{self, Powers, Unit, is_not_metric};
+use super::unit;
+use super::unit::{Powers, Unit, is_not_metric};
 use std::fmt;
 
 /// What a quantity measures; each has one unit inside the library.

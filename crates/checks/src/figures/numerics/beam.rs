@@ -1,6 +1,6 @@
 //! The beam without adhesion, for teaching: a cantilever rolled up, arches snapped through, with independent points.
 
-use super::super::figure::{Figure, Table};
+use crate::figures::figure::{Figure, Table};
 use crate::suite::beam::arch::{CURVE, half_arch, rows_of, snapped};
 use crate::suite::beam::rods::{DISPLACEMENT, cantilever, under_control};
 use peelkit::model::Drive;

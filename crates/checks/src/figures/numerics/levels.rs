@@ -1,6 +1,6 @@
 //! What each step of coarse-graining buys: time against error of one force, from atoms to the line load.
 
-use super::super::figure::{Figure, Table};
+use crate::figures::figure::{Figure, Table};
 use crate::suite::reference;
 use peelkit::adhesion::{Faces, HalfSpace, Level, Rule, TiltedBlock};
 use peelkit_report::ReportError;

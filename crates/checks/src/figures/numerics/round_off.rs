@@ -1,6 +1,6 @@
 //! Digits that the paper's own form of the line load loses as a section comes upright.
 
-use super::super::figure::{Figure, Table};
+use crate::figures::figure::{Figure, Table};
 use peelkit::adhesion::{LineLaw, LineLoad};
 use peelkit::model::StripModel;
 use peelkit_report::ReportError;

@@ -1,9 +1,10 @@
 //! What a peel takes: against the accuracy, against length and stiffness of the strip, and beside other programs.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{ACCURACY, BOUNDS, Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{ACCURACY, BOUNDS, Runner, paper_strip};
 use crate::suite::reference;
-use crate::work_precision::{work_precision, write_work_precision};
+use crate::work_precision::measure::work_precision;
+use crate::work_precision::report::write_work_precision;
 use peelkit::model::StripModel;
 use peelkit::study::{Peel, peel, power_law};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, Symbol, WIDTH, colour, significant};

@@ -1,6 +1,6 @@
 //! What the verification suite measures of the program itself: orders of convergence, and error bounds against true errors.
 
-use super::super::figure::{Figure, Table};
+use crate::figures::figure::{Figure, Table};
 use crate::suite::bounds::{Judged, Survey, survey};
 use crate::suite::orders::{Convergence, Quantity, convergence};
 use peelkit_report::ReportError;

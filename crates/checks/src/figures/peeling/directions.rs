@@ -1,7 +1,7 @@
 //! The pull-off force against the direction of the pull, and against the roll at which the grip is held, in space.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::Runner;
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::Runner;
 use peelkit::model::{Hold, PeelModel, Pull, Space, Step, StripModel};
 use peelkit::study::{
     Accuracy, LimitPoint, LimitPointKind, LoadingDirection, Observed, Peel, PullOff, StopCriteria, TestEnd,

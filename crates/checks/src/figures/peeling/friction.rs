@@ -1,7 +1,7 @@
 //! What friction adds to a strip that is pulled at an angle, and where it slides.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::Runner;
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::Runner;
 use peelkit::analytic::kendall_force;
 use peelkit::model::{Friction, PeelModel, Pull, StripModel};
 use peelkit::study::{Accuracy, Choice, PathEnd, Peel, Sliding, StopCriteria};

@@ -1,7 +1,7 @@
 //! The laws of adhesion side by side: traction against opening, and peak forces against the stiffness of the material.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{ACCURACY, Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{ACCURACY, Runner, paper_strip};
 use peelkit::adhesion::CohesiveShape;
 use peelkit::model::{Attraction, Body, PeelModel, Profile, Spatula};
 use peelkit::study::Accuracy;

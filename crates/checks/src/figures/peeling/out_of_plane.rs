@@ -1,7 +1,7 @@
 //! The widths at which a planar peel is stable against leaving its plane, against thickness and against stiffness.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{ACCURACY, BOUNDS, Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{ACCURACY, BOUNDS, Runner, paper_strip};
 use peelkit::model::{PeelModel, StripModel};
 use peelkit::study::{Peel, WidthLimit, WidthRange};
 use peelkit_report::ReportError;

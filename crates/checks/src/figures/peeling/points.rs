@@ -1,8 +1,9 @@
 //! Peak force, plateau and work against bending stiffness, with points computed without finite elements drawn on them.
 
-use super::super::figure::{Figure, Table};
 use super::stiffness::{LENGTH, Sweeps};
-use crate::suite::reference::{self, Row};
+use crate::figures::figure::{Figure, Table};
+use crate::suite::reference;
+use crate::suite::reference::Row;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Picture, Stroke, Symbol, WIDTH, colour};
 use peelkit_report::pictures::sweep::{

@@ -1,7 +1,7 @@
 //! Peak force against the angle of the pull, of a strip and of a spatula, beside Kendall's law.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{Runner, paper_strip};
 use peelkit::analytic::{kendall_force, sliding_force};
 use peelkit::model::{PeelModel, Pull, Spatula, StripModel};
 use peelkit::study::Peel;

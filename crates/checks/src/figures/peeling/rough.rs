@@ -1,7 +1,7 @@
 //! Fig. 8's question: how deep a pad reaches into the valleys of wavy ground, how much of it adheres, and what it holds.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::Runner;
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::Runner;
 use peelkit::adhesion::{Sinusoid, Substrate};
 use peelkit::model::{Ground, PeelModel, Start, StripModel};
 use peelkit::study::{Accuracy, Peel, StopCriteria};

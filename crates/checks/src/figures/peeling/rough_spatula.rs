@@ -1,7 +1,7 @@
 //! A gecko's spatula on waves and on a cylinder: how it lies, and what it holds.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::Runner;
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::Runner;
 use peelkit::adhesion::{BodyShape as Body, Round, Sinusoid, Substrate};
 use peelkit::model::{Ground, Hold, PeelModel, Spatula, Start};
 use peelkit::study::{Accuracy, Peel, StopCriteria};

@@ -1,8 +1,8 @@
 //! A gecko's spatula, Fig. 7 of the paper as a beam.
 
-use super::super::figure::Figure;
-use super::super::runner::Runner;
 use super::strip::{curve_table, shape_table};
+use crate::figures::figure::Figure;
+use crate::figures::runner::Runner;
 use peelkit::model::Spatula;
 use peelkit::study::Peel;
 use peelkit_report::ReportError;

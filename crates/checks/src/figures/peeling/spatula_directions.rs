@@ -1,8 +1,8 @@
 //! The pull-off force of a spatula against the direction of the pull, and against the roll at which its grip is held.
 
-use super::super::figure::Figure;
-use super::super::runner::Runner;
 use super::directions::{BESIDE, Case, DASHED, Found, Series, UP, draw, panels, table};
+use crate::figures::figure::Figure;
+use crate::figures::runner::Runner;
 use peelkit::model::{PeelModel, Spatula, Step};
 use peelkit::study::{Accuracy, StopCriteria};
 use peelkit_report::ReportError;

@@ -1,7 +1,7 @@
 //! Peak force against bending stiffness: Fig. 10 of the paper for the three line loads, and EI varied in three ways.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{Runner, paper_strip};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;
 use peelkit::study::PathEnd;

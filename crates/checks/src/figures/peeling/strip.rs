@@ -1,7 +1,7 @@
 //! One strip: Fig. 9 of the paper, and the whole peel curve with its shapes.
 
-use super::super::figure::{Figure, Table};
-use super::super::runner::{Runner, paper_strip};
+use crate::figures::figure::{Figure, Table};
+use crate::figures::runner::{Runner, paper_strip};
 use peelkit::study::{PathEnd, Peel};
 use peelkit_report::ReportError;
 use peelkit_report::chart::significant;

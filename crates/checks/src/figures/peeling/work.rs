@@ -1,8 +1,8 @@
 //! The work of peeling up to the snap-off against the bending stiffness, and where it is largest.
 
-use super::super::figure::Figure;
-use super::super::runner::Runner;
 use super::stiffness::{LENGTH, spatula, stiffened, table};
+use crate::figures::figure::Figure;
+use crate::figures::runner::Runner;
 use peelkit_report::chart::{Axis, Frame, Mark, Note, Picture, Stroke, Symbol, WIDTH, colour, significant};
 use peelkit_report::pictures::sweep::{STIFFNESS_LABEL, WORK, dotted, panel, series, work_per_width};
 use peelkit_report::{ReportError, SweepRow};

@@ -2,7 +2,8 @@
 
 use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
 use crate::suite::check::{Check, Measure};
-use crate::suite::reference::{self, Row};
+use crate::suite::reference;
+use crate::suite::reference::Row;
 use peelkit::beam::{ReferenceCurve, TIP_ROTATION};
 use peelkit::model::{BeamProblem, Drive, Hold, RodModel, Support};
 use peelkit::solve::{LimitPointKind, Pace, PathOptions, Solution, controlled};

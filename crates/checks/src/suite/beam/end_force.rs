@@ -2,7 +2,8 @@
 
 use super::rods::{FORCE, cantilever, tip, under_control};
 use crate::suite::check::{Check, Measure};
-use crate::suite::reference::{self, Row};
+use crate::suite::reference;
+use crate::suite::reference::Row;
 use peelkit::beam::ReferenceCurve;
 use peelkit::model::{Drive, RodModel};
 

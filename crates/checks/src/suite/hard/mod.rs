@@ -9,9 +9,9 @@ mod scene;
 
 pub use scene::{Ending, HardScene};
 
-use crate::suite::bounds;
-use crate::suite::check::{Check, Measure, under};
-use crate::suite::reference::{self, Row};
+use super::check::{Check, Measure, under};
+use super::reference::Row;
+use super::{bounds, reference};
 use peelkit::model::{Hold, PeelModel};
 use peelkit::study::{Peel, peel};
 use rayon::prelude::*;

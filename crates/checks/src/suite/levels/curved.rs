@@ -1,8 +1,8 @@
 //! Sphere and cylinder in the place of the half space, and what the half space costs.
 
 use super::cells::{LAW, against, cell};
+use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
-use crate::suite::{Check, Measure};
 use peelkit::adhesion::{BodyShape, CurvedBody};
 
 const SOURCE: &str = "verification/curved_bodies.py: eq. (1) over the body";

@@ -1,8 +1,8 @@
 //! Pair potential, volume integral and half space.
 
 use super::cells::{LAW, against, cell, rule};
+use crate::suite::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
-use crate::suite::{Check, Measure};
 use peelkit::adhesion::{Cuboid, LennardJones, body_force_by_volume, cubic_block, double_integral, pair_sum};
 
 const QUADRATURE: &str = "verification/pair_to_half_space.py: eq. (1) integrated over a half space";

@@ -1,7 +1,8 @@
 //! A strip of a table, peeled.
 
 use crate::suite::check::{Check, Measure, missing};
-use crate::suite::reference::{self, Row};
+use crate::suite::reference;
+use crate::suite::reference::Row;
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;
 use peelkit::study::{Accuracy, Peel, StopCriteria, peel};

@@ -2,7 +2,8 @@
 
 use super::case::{Case, DEFAULT};
 use crate::suite::check::{Check, Measure};
-use crate::suite::reference::{self, Row, published};
+use crate::suite::reference;
+use crate::suite::reference::{Row, published};
 use peelkit::adhesion::LineLoad;
 use peelkit::study::power_law;
 

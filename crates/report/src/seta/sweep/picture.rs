@@ -1,9 +1,9 @@
 //! The picture of a sweep of setae: the peak force, the tips that adhere there, and the work, against the varied value; or maps over two.
 
 use super::row::SetaRow;
-use crate::chart::colour;
+use crate::chart::style::colour;
 use crate::error::ReportError;
-use crate::pictures::{Quantity, draw_swept_pulls};
+use crate::pictures::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::swept_keys::SweptKeys;
 use peelkit::study::SetaResult;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! One value of a sweep of setae.
 
-use super::super::names::end_word;
 use crate::pull_row::PullRow;
+use crate::seta::names::end_word;
 use peelkit::study::{SetaMoment, SetaResult};
 
 /// One value of a sweep of setae: forces in nN, displacements in nm, works in aJ.

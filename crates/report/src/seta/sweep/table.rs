@@ -3,7 +3,7 @@
 use super::row::SetaRow;
 use crate::error::ReportError;
 use crate::record::{Fields, Record};
-use crate::records::{SweepSummary, write_swept};
+use crate::records::sweep::{SweepSummary, write_swept};
 use crate::swept_keys::SweptKeys;
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};

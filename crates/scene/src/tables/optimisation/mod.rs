@@ -1,12 +1,9 @@
 //! The table `optimise`: what is free, what is to be large or small, and under which constraints.
 
-mod check;
+pub(crate) mod check;
 mod design;
 mod read;
-mod settings;
-
-pub(crate) use check::problem;
-pub(crate) use settings::*;
+pub(crate) mod settings;
 
 use crate::scene::Scene;
 use peelkit::study::optimisation::{Goal, OptimisationOptions, SearchMethod};

@@ -3,7 +3,7 @@
 use super::read::{FREE_KEY, FREE_PROFILE, angle, keys, profile, whole, word, written_key, written_profile};
 use super::{OptimisationTable, VolumeRule, of};
 use crate::form::Form;
-use crate::key::Setting;
+use crate::key::kind::Setting;
 use crate::scene::Scene;
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};

@@ -1,13 +1,10 @@
 //! The table `uncertainty`: which keys of the scene are uncertain, how, and what is asked for.
 
-mod check;
+pub(crate) mod check;
 mod correlations;
 mod inputs;
 mod plan;
-mod settings;
-
-pub(crate) use check::problem;
-pub(crate) use settings::{CORRELATIONS, INDICES, INPUTS, QUANTITIES, SAMPLES, SEED};
+pub(crate) mod settings;
 
 use crate::scene::Scene;
 use peelkit::study::PeelQuantity;

@@ -2,7 +2,7 @@
 
 use super::{correlations, inputs, of};
 use crate::form::Form;
-use crate::key::Setting;
+use crate::key::kind::Setting;
 use crate::near::nearest;
 use crate::scene::Scene;
 use crate::value::{Fault, Value, quoted};
