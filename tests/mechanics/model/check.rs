@@ -32,6 +32,13 @@ fn rubbing(friction: Friction) -> PeelModel {
     PeelModel { friction, ..strip() }
 }
 
+/// With an initial crack of so many nm.
+fn cracked(crack: f64) -> PeelModel {
+    let mut model = strip();
+    set(&mut model, "strip.crack", crack);
+    model
+}
+
 fn refused(model: &PeelModel) -> ModelError {
     let error = model.check().expect_err("the model is refused");
     // a NaN is not equal to itself, its text is
@@ -78,6 +85,7 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
                 "poissons_ratio" => &mut strip.poissons_ratio,
                 "shear_correction" => &mut strip.shear_correction,
                 "bending_stiffness_factor" => &mut strip.bending_stiffness_factor,
+                "crack" => strip.crack.insert(number),
                 _ => panic!("{key} is not in this test"),
             } = number;
         }
@@ -130,6 +138,7 @@ fn having(key: &str) -> PeelModel {
         ("substrate", "radius" | "offset") => ground(Substrate::Ridge(Ridge { radius: 90.0, offset: 0.0 })),
         ("substrate", _) => ground(Substrate::Sinusoid(Sinusoid { height: 1.0, wavelength: 90.0, offset: 0.0 })),
         ("drive", "azimuth") => PeelModel { space: Some(Space::default()), ..strip() },
+        ("strip", "crack") => cracked(20.0),
         _ => strip(),
     }
 }
@@ -197,6 +206,29 @@ fn what_does_not_fit_the_law_or_the_grip() {
         let error = refused(&model);
         assert_eq!((error.key(), error.value()), ("grip.pretension", Some(Measured { value: 0.5, unit: "nN" })));
         assert!(matches!(error.kind(), ModelErrorKind::NotStretched { .. }), "{error}");
+    }
+}
+
+/// A crack leaves something that adheres, and is computed in the plane, on flat ground, without friction and pretension.
+#[test]
+fn what_does_not_fit_a_crack() {
+    assert_eq!(cracked(99.9).check(), Ok(()));
+    let sentence = "`strip.crack` is 100 nm, and the strip is 100 nm long: nothing adheres";
+    assert_refused(&cracked(100.0), "strip.crack", sentence, Some((100.0, "nm")));
+    let friction = Friction { strength: Some(0.05), ..Friction::NONE };
+    let grip = Grip { horizontal: Hold::Fixed, pretension: Some(0.5), ..Grip::FREE };
+    let ridge = Substrate::Ridge(Ridge { radius: 90.0, offset: 0.0 });
+    for (beside, what) in [
+        (PeelModel { space: Some(Space::default()), ..cracked(20.0) }, "a scene in space"),
+        (PeelModel { friction, ..cracked(20.0) }, "friction"),
+        (PeelModel { grip, ..cracked(20.0) }, "a pretension"),
+        (
+            PeelModel { ground: Ground { substrate: ridge, start: Start::Conformed }, ..cracked(20.0) },
+            "ground that is not flat",
+        ),
+    ] {
+        let sentence = format!("`strip.crack` is given beside {what}, which is not computed with an initial crack");
+        assert_refused(&beside, "strip.crack", &sentence, None);
     }
 }
 
