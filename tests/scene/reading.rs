@@ -101,11 +101,20 @@ displacement = "0.5 um"
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // pretension and friction are those of flat ground: pull.rs, friction.rs
-    let elsewhere = |key: &Key| key.name == "pretension" || key.table == "friction";
+    // pretension, friction and a crack are those of flat ground: pull.rs, friction.rs, and below
+    let elsewhere = |key: &Key| ["pretension", "crack"].contains(&key.name) || key.table == "friction";
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }
+}
+
+#[test]
+fn a_crack_is_read_and_has_to_leave_something() {
+    let with_crack = |crack: &str| Scene::parse("a.toml", MINIMAL, &[("strip.crack".into(), crack.into())]);
+    assert_eq!(with_crack("0.02 um").unwrap().model.strip().unwrap().crack, Some(20.0));
+    assert_eq!(Scene::parse("a.toml", MINIMAL, &[]).unwrap().model.strip().unwrap().crack, None);
+    let error = with_crack("1 um").unwrap_err().to_string();
+    assert!(error.contains("`strip.crack` is 1000 nm") && error.contains("nothing adheres"), "{error}");
 }
 
 /// Numbers that are all different, so that none can stand in another's place.

@@ -56,6 +56,7 @@ impl Key {
             (_, Kind::Setting(setting)) => setting.example,
             ("length" | "wavelength", _) => "\"100 nm\"",
             ("radius", _) => "\"200 nm\"",
+            ("crack", _) => "\"30 nm\"",
             ("height", _) => "\"10 nm\"",
             ("equilibrium_distance", _) => "\"0.4 nm\"",
             ("poissons_ratio", _) => "0.2",
