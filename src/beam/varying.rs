@@ -34,6 +34,10 @@ pub trait BeamGeometry: Send + Sync + Debug {
     }
     /// The outline at a place, nm.
     fn at(&self, place: f64) -> SectionGeometry;
+    /// How much of this width adheres at a place, nm.
+    fn adhering(&self, place: f64, width: f64) -> f64 {
+        if place <= self.adhering_length() { width } else { 0.0 }
+    }
 }
 
 /// A beam of varying outline, of one material.
@@ -79,7 +83,7 @@ impl Varying {
 
     fn station(&self, place: f64) -> SectionAt<f64> {
         let station = self.section_of(&self.contour.at(place));
-        if place <= self.contour.adhering_length() { station } else { SectionAt { width: 0.0, ..station } }
+        SectionAt { width: self.contour.adhering(place, station.width), ..station }
     }
 
     /// The beam where its outline is this one.

@@ -280,8 +280,7 @@ impl PeelModel {
     pub fn section_at(&self, place: f64) -> (Section, f64, f64) {
         let outline = self.geometry().at(place);
         let (width, height) = (outline.width, outline.height[0]);
-        let adhering = if place <= self.geometry().adhering_length() { width } else { 0.0 };
-        (self.material().section(width, height, outline.roundness), adhering, height)
+        (self.material().section(width, height, outline.roundness), self.geometry().adhering(place, width), height)
     }
 
     /// EA, GA_s and EI of the free end.
