@@ -81,7 +81,8 @@ def test_every_message_is_in_the_chapter_on_trouble(root: Path) -> None:
     def plain(text: str) -> str:
         return re.sub(r"\s+", " ", text.replace("`", ""))
 
-    chapter = plain((root / "docs/reference/troubleshooting.md").read_text(encoding="utf-8"))
+    pages = [root / "docs/reference/troubleshooting.md", *(root / "docs/reference/troubleshooting").glob("*.md")]
+    chapter = plain(" ".join(page.read_text(encoding="utf-8") for page in pages))
     code = [path.read_text(encoding="utf-8") for path in sorted((root / "python/peelkit").rglob("*.py"))]
     all_messages = [message for text in code for message in messages(text)]
     assert len(all_messages) > 12

@@ -1,4 +1,4 @@
-//! All tables and objects that are written, each with its keys: what `docs/reference/outputs.md` is made of.
+//! All tables and objects that are written, each with its keys: what the pages in `docs/reference/outputs` are made of.
 
 use super::reference::Output;
 use super::{rate, records, seta, states};

@@ -1,5 +1,5 @@
-//! What the keys and columns of the outputs mean. `docs/reference/outputs.md` is made of these lists, which follow from the records, and a test holds them
-//! against what the command writes.
+//! What the keys and columns of the outputs mean. The pages in `docs/reference/outputs` are made of these lists, which follow from the records, and
+//! a test holds them against what the command writes.
 
 use std::borrow::Cow;
 
@@ -24,7 +24,7 @@ impl OutputKey {
 /// A table or an object that is written.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// As its table in `docs/reference/outputs.md` is called
+    /// As its table in `docs/reference/outputs` is called
     pub name: &'static str,
     /// What it consists of: keys, columns or arrays
     pub parts: &'static str,

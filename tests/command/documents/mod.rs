@@ -50,6 +50,12 @@ fn documents() -> Vec<String> {
     others.map(str::to_owned).into_iter().chain(chapters()).collect()
 }
 
+/// A chapter of the reference, `docs/reference/NAME.md`, and the pages of its folder.
+fn pages(name: &str) -> Vec<String> {
+    let chapter = format!("docs/reference/{name}.md");
+    std::iter::once(chapter).chain(files_in(&format!("docs/reference/{name}"), ".md")).collect()
+}
+
 /// The files of a folder of the repository whose name ends so.
 fn files_in(folder: &str, ending: &str) -> Vec<String> {
     let files = std::fs::read_dir(place(folder)).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());

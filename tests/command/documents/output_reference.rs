@@ -1,26 +1,30 @@
-//! The tables of `docs/reference/outputs.md` are made of the records of `peelkit_report`, whose keys are held against what the command writes.
+//! The tables of the pages in `docs/reference/outputs/` are made of the records of `peelkit_report`, whose keys are held against what the command writes.
 
-use super::{hold, row, text, with_part};
+use super::{hold, pages, row, text, with_part};
 use peelkit_report::{OutputKey, outputs, paths};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-const PATH: &str = "docs/reference/outputs.md";
-
 #[test]
 fn the_output_reference_is_that_of_the_lists() {
-    let mut reference = text(PATH);
+    let pages = pages("outputs");
+    let mut texts: Vec<String> = pages.iter().map(|page| text(page)).collect();
     for output in outputs() {
+        let begin = format!("<!-- {}: begin -->", output.name);
+        let mut places = texts.iter_mut().filter(|text| text.contains(&begin));
+        let (Some(place), None) = (places.next(), places.next()) else { panic!("not on one page: {begin}") };
         let mut part = row(&[output.parts, "unit", "meaning"]) + "|---|---|---|\n";
         for key in in_order_of_reading(output.keys) {
             let like = key.like.as_ref().map(|other| format!("; keys as of `{other}`")).unwrap_or_default();
             part += &row(&[&format!("`{}`", key.path), key.unit(), &format!("{}{like}", key.about)]);
         }
-        reference = with_part(&reference, output.name, &part);
+        *place = with_part(place, output.name, &part);
     }
-    hold(PATH, &reference);
+    for (page, text) in pages.iter().zip(&texts) {
+        hold(page, text);
+    }
 }
 
 /// Of summary.json three objects are described elsewhere than they stand in the file, beside what they belong to: behind which one.
