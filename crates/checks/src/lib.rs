@@ -15,7 +15,13 @@ pub use figures::draw::{draw_figures, holds_figures};
 pub use work_precision::measure::{Errors, Line, Trial, WorkPrecision, work_precision};
 pub use work_precision::report::{AUTOMATIC, write_work_precision};
 
-/// The programs of the chapter on the library, which `cargo test` compiles and runs.
+/// The programs of the chapters on the library, which `cargo test` compiles and runs.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/reference/library.md")]
-mod book {}
+mod book {
+    #[doc = include_str!("../../../docs/reference/library.md")]
+    mod library {}
+    #[doc = include_str!("../../../docs/reference/library/studies.md")]
+    mod studies {}
+    #[doc = include_str!("../../../docs/reference/library/setae.md")]
+    mod setae {}
+}

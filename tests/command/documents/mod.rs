@@ -3,7 +3,7 @@
 //!     cargo test --test command documents
 //!     PEELKIT_WRITE=1 cargo test --test command documents        writes again what documents take from the program
 //!
-//! The Rust programs of `docs/reference/library.md` are doc tests of `peelkit-checks`.
+//! The Rust programs of `docs/reference/library.md` and of its pages are doc tests of `peelkit-checks`.
 
 mod commands;
 #[cfg(unix)]
