@@ -1,11 +1,12 @@
-//! The metric prefixes with which forces, lengths and works are written for a person. Inside, and in files, they are in nN, nm and aJ.
+//! The metric prefixes with which forces, lengths, works and bending stiffnesses are written for a person. Inside, and in files, they are in
+//! nN, nm, aJ and nN nm².
 
-/// A unit of a force, a length or a work.
+/// A unit of a force, a length, a work or a bending stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     /// As it is written: "µN"
     pub name: &'static str,
-    /// How many nN, nm or aJ it is
+    /// How many nN, nm, aJ or nN nm² it is
     pub size: f64,
 }
 
@@ -28,6 +29,17 @@ pub const WORKS: &[Unit] = &[
     unit("mJ", 1e15),
     unit("J", 1e18),
 ];
+/// Units of bending stiffnesses, from small to large.
+pub const BENDING_STIFFNESSES: &[Unit] = &[
+    unit("nN nm²", 1.0),
+    unit("nN µm²", 1e6),
+    unit("µN µm²", 1e9),
+    unit("nN mm²", 1e12),
+    unit("µN mm²", 1e15),
+    unit("mN mm²", 1e18),
+    unit("N mm²", 1e21),
+    unit("N m²", 1e27),
+];
 
 /// Numbers from here to [`TOO_LARGE`] keep the unit of the files.
 const TOO_SMALL: f64 = 1e-2;
@@ -42,7 +54,7 @@ impl Unit {
         units.iter().rev().find(fits).copied().unwrap_or(units[0])
     }
 
-    /// A number in nN, nm or aJ in this unit.
+    /// A number in nN, nm, aJ or nN nm² in this unit.
     pub fn of(&self, value: f64) -> f64 {
         value / self.size
     }
@@ -74,6 +86,10 @@ mod tests {
         let name = |units, largest| Unit::fitting(units, largest).name;
         assert_eq!([name(FORCES, 0.02), name(LENGTHS, 9999.0), name(WORKS, 0.0)], ["nN", "nm", "aJ"]);
         assert_eq!([name(FORCES, 2e-3), name(LENGTHS, 2e4), name(WORKS, 1211222188.6)], ["pN", "µm", "nJ"]);
+        assert_eq!(
+            [166.7, 4.17e20, 2e27].map(|largest| name(BENDING_STIFFNESSES, largest)),
+            ["nN nm²", "mN mm²", "N m²"]
+        );
         assert_eq!([name(FORCES, 1e-9), name(LENGTHS, 1e30), name(WORKS, f64::NAN)], ["pN", "m", "aJ"]);
     }
 }

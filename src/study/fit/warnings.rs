@@ -31,6 +31,13 @@ pub enum FitWarning {
         /// The bound
         bound: f64,
     },
+    /// No measured point on the path of the model
+    NoneOnPath {
+        /// First and last measured displacement, nm
+        measured: [f64; 2],
+        /// Where the path begins and where it ends or jumps, as the machine records it, nm
+        path: [f64; 2],
+    },
     /// Measured points behind the first jump of the model
     BehindJump {
         /// How many
@@ -99,13 +106,16 @@ impl Fit {
         }
         let ends = |curve: &[(f64, f64)]| (curve.first().map_or(0.0, |at| at.0), curve.last().map_or(0.0, |at| at.0));
         let (start, jump) = ends(&self.curve);
-        match self.count(PointPlace::BehindJump) {
-            0 => {}
-            points => found.push(FitWarning::BehindJump { points, jump }),
-        }
-        match self.count(PointPlace::BeforeStart) {
-            0 => {}
-            points => found.push(FitWarning::BeforeStart { points, start }),
+        match (self.count(PointPlace::BehindJump), self.count(PointPlace::BeforeStart)) {
+            (behind, before) if behind + before == self.points.len() => {
+                let measured = || self.points.iter().map(|point| point.displacement);
+                let measured = [measured().fold(f64::INFINITY, f64::min), measured().fold(f64::NEG_INFINITY, f64::max)];
+                found.push(FitWarning::NoneOnPath { measured, path: [start, jump] });
+            }
+            (behind, before) => {
+                found.extend((behind > 0).then_some(FitWarning::BehindJump { points: behind, jump }));
+                found.extend((before > 0).then_some(FitWarning::BeforeStart { points: before, start }));
+            }
         }
         if let Some(jump) = self.jump.filter(|jump| jump.modelled.is_none()) {
             found.push(FitWarning::NoJump { measured: jump.displacement });
@@ -152,6 +162,7 @@ impl FitWarning {
             Self::Together { .. } => "determined-together",
             Self::Poor { .. } => "poorly-determined",
             Self::AtBound { .. } => "at-bound",
+            Self::NoneOnPath { .. } => "none-on-path",
             Self::BehindJump { .. } => "behind-jump",
             Self::BeforeStart { .. } => "before-start",
             Self::NoJump { .. } => "no-jump",
@@ -186,6 +197,10 @@ impl fmt::Display for FitWarning {
             Self::AtBound { key, bound } => write!(
                 f,
                 "{key} ended at a bound of the search, {bound}: its interval is not known, and those of the others hold at this value. Give it other bounds, or fix it"
+            ),
+            Self::NoneOnPath { measured: [first, last], path: [start, end] } => write!(
+                f,
+                "no measured point lies on the path of the model: displacements were measured from {first:.6} to {last:.6} nm, and the path goes from {start:.6} to {end:.6} nm of the machine: nothing of this fit is to be trusted. See whether the header of the data names the right units, and begin with other values"
             ),
             Self::BehindJump { points, jump } => write!(
                 f,

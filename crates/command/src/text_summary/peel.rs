@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
-use super::units::{Units, WantedUnits};
+use super::units::{Units, WantedUnits, bending_stiffness_text};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
@@ -290,11 +290,11 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     lines.extend([(
         "strip",
         format!(
-            "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {} nN nm²",
+            "process zone {}, ℓ/h = {}, L/ℓ = {}; EI = {}",
             units.length.short(section.process_length),
             short(groups.process_length_over_height),
             short(groups.length_over_process_length),
-            short(section.stiffness.bending)
+            bending_stiffness_text(section.stiffness.bending)
         ),
     )]);
     lines

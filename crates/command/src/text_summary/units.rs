@@ -4,7 +4,7 @@
 use super::number::{short, with_error};
 use crate::stop::Stop;
 use clap::Args;
-use peelkit::units::{self, FORCES, LENGTHS, WORKS};
+use peelkit::units::{self, BENDING_STIFFNESSES, FORCES, LENGTHS, WORKS};
 
 /// A unit of a force, a length or a work, with which numbers are printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,6 +83,11 @@ impl Units {
     }
 }
 
+/// A bending stiffness (nN nm²) in the unit that fits it: "416.667 mN mm²".
+pub fn bending_stiffness_text(stiffness: f64) -> String {
+    Unit(units::Unit::fitting(BENDING_STIFFNESSES, stiffness)).short(stiffness)
+}
+
 /// Most digits of a number without a bound.
 const MOST_DIGITS: i32 = 11;
 
@@ -149,5 +154,6 @@ mod tests {
         assert_eq!(micrometre.fixed(48215.6178228, 6), "48.215617823 µm");
         assert_eq!(piconewton.short(0.0075), "7.5 pN");
         assert_eq!(nanometre.fixed(12345678901234.5, 6), "12345678901234 nm");
+        assert_eq!(bending_stiffness_text(4.16667e20), "416.667 mN mm²");
     }
 }

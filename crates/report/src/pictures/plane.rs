@@ -11,7 +11,7 @@ use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::error::ReportError;
 use crate::sweep_row::SweepRow;
-use crate::swept_keys::SweptKeys;
+use crate::swept_keys::{SweptKeys, as_given};
 use std::path::{Path, PathBuf};
 
 /// Shades of the colour bar.
@@ -45,7 +45,7 @@ pub fn draw_plane(
     draw_maps(&places, &[("peak force P (nN)", forces), ("work to snap-off W (aJ)", works)], keys, title, log, dir)
 }
 
-/// Draws `sweep.svg` and `sweep.png` into `dir`: a map of each of these quantities, with its label, over the values of two keys. The first one has to
+/// Draws `sweep.svg` and `sweep.png` into `dir`: a map of each of these quantities, with its label, over the values of two keys, angles in degrees. The first one has to
 /// have a value.
 ///
 /// Fails as [`draw_plane`].
@@ -66,13 +66,16 @@ pub(crate) fn draw_maps(
     if quantities.first().is_none_or(|(_, values)| values.iter().all(Option::is_none)) {
         return Err(refuse(format!("none of the {} pairs of {} has a peak force", places.len(), keys.names())));
     }
-    let [across, up] = values.map(|values| distinct(values.into_iter().flatten()));
-    let axes =
-        [(keys.first.axis_title_in_library_unit(), across, log[0]), (second.axis_title_in_library_unit(), up, log[1])]
-            .map(|(label, values, log)| Grid::new(label, values, log));
+    // as a user gives them: angles in degrees
+    let places: Vec<_> =
+        places.iter().map(|at| (as_given(keys.first, at.0), at.1.map(|value| as_given(second, value)))).collect();
+    let across = distinct(places.iter().map(|at| at.0));
+    let up = distinct(places.iter().filter_map(|at| at.1));
+    let axes = [(keys.first, across, log[0]), (second, up, log[1])]
+        .map(|(key, values, log)| Grid::new(key.axis_title(), values, log));
     let mut panels = Vec::new();
     for (label, values) in quantities {
-        let map = Map::new(&axes, places, values);
+        let map = Map::new(&axes, &places, values);
         if map.values.iter().flatten().next().is_some() {
             let top = panels.last().map_or(TOP, |below: &Panel| below.frame.bottom + 74.0);
             panels.extend(map.panels(&axes, label, top));
