@@ -47,6 +47,7 @@ impl Output {
 /// Endings of names that are units, and the units.
 const UNITS: &[(&str, &str)] = &[
     ("_J_per_m2", "J/m²"),
+    ("_N_per_m", "N/m"),
     ("_nN_nm2", "nN nm²"),
     ("_nN_per_nm", "nN/nm"),
     ("_aJ_per_nm", "aJ/nm"),
@@ -170,8 +171,8 @@ mod tests {
     fn units_are_the_ends_of_names() {
         let unit = |path| key(path, "").unit();
         assert_eq!(
-            ["moment_nN_nm", "force_nN", "solve_s", "points", "kappa_per_nm", "EI_nN_nm2"].map(unit),
-            ["nN nm", "nN", "s", "", "1/nm", "nN nm²"]
+            ["moment_nN_nm", "force_nN", "solve_s", "points", "kappa_per_nm", "EI_nN_nm2", "k_N_per_m"].map(unit),
+            ["nN nm", "nN", "s", "", "1/nm", "nN nm²", "N/m"]
         );
         assert_eq!(
             ["moment_nN_nm", "points", "end_rotation_rad"].map(without_unit),

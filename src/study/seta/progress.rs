@@ -84,6 +84,7 @@ impl SetaPullOff {
     pub(super) fn empty(elements: usize) -> Self {
         Self {
             points: Vec::new(),
+            initial_stiffness: None,
             events: Vec::new(),
             first_detachment: None,
             peak: None,

@@ -157,6 +157,9 @@ pub struct SetaEffort {
 pub struct SetaPullOff {
     /// The stable branches, point by point; those at both sides of an event are among them
     pub points: Vec<SetaPoint>,
+    /// At the beginning of the last step, by how much the force along its direction rises with the displacement, the root held in all other
+    /// directions, nN/nm; none where that step was not begun
+    pub initial_stiffness: Option<f64>,
     /// In their order
     pub events: Vec<SetaEvent>,
     /// Just before the first detachment of the last step

@@ -128,8 +128,7 @@ impl<'a> Run<'a> {
                 let progress =
                     SetaProgress { result, here: solution, tips: Vec::new(), step, from, ahead, softest: None };
                 let mut run = with(standing, ws, progress);
-                let first = run.point(&drive, &run.progress.here, SetaPoint::default());
-                run.progress.result.points.push(first);
+                run.begin_step(&drive, SetaPoint::default());
                 Ok(Ok(run))
             }
             Err((cause, _)) => {
@@ -169,10 +168,18 @@ impl<'a> Run<'a> {
         let solved = solve(&problem, self.progress.here.at.clone(), &held, &newton, &mut self.ws);
         self.progress.here = solved.map_err(|cause| self.lost(cause))?;
         self.progress.ahead = self.options.first_step;
-        let before = self.last();
-        let point = self.point(&drive, &self.progress.here, before);
-        self.progress.result.points.push(point);
+        self.begin_step(&drive, self.last());
         Ok(())
+    }
+
+    /// The first point of a step.
+    fn begin_step(&mut self, drive: &RootDrive, before: SetaPoint) {
+        let point = self.point(drive, &self.progress.here, before);
+        self.progress.result.points.push(point);
+        if point.step + 1 == self.loading.steps.len() {
+            let slope = self.progress.here.slope;
+            self.progress.result.initial_stiffness = Some(slope.force / slope.displacement);
+        }
     }
 
     fn go_step(&mut self, step: &SetaStep, drive: &RootDrive) -> Result<(), SetaEnd> {

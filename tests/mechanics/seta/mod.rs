@@ -4,6 +4,7 @@ mod converged_peak;
 mod four_tips;
 mod hard;
 mod hysteresis;
+mod initial_stiffness;
 pub mod setup;
 mod snap_on;
 mod symmetry;

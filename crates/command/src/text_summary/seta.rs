@@ -1,6 +1,7 @@
 //! The summary of the pull-off of a seta.
 
 use super::layout::in_columns;
+use super::number::short;
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
@@ -8,7 +9,7 @@ use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit_report::{SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
-/// A work below this share of the largest is round-off.
+/// A work or a force below this share of the largest is round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// The summary of a pull-off with its peak on finer meshes, which took so many seconds with the law of its tips.
@@ -47,6 +48,8 @@ pub fn seta(
     ];
     lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));
     lines.extend(before_the_pull(pull_off, force));
+    let initial = |stiffness| ("stiffness", format!("{} N/m along the pull, where it begins", short(stiffness)));
+    lines.extend(pull_off.initial_stiffness.map(initial));
     lines.extend([
         ("peak force", at(converged.map(|found| found.peak).or_else(|| of(&pull_off.peak)))),
         ("first detachment", at(of(&pull_off.first_detachment))),
@@ -91,11 +94,13 @@ pub fn seta(
 fn before_the_pull(pull_off: &SetaPullOff, force: Unit) -> Option<(&'static str, String)> {
     let steps = SetaMotion::of(&pull_off.points);
     let (pull, before) = steps.split_last()?;
-    let told: Vec<String> =
-        before.iter().map(|step| format!("{} up to {}", step.name, force.short(step.largest))).collect();
+    let largest = steps.iter().map(|step| step.largest.abs()).fold(0.0, f64::max);
+    let reached = |of: f64| force.short(if of.abs() <= ROUND_OFF * largest { 0.0 } else { of });
+    let reported: Vec<String> =
+        before.iter().map(|step| format!("{} up to {}", step.name, reached(step.largest))).collect();
     let text = format!(
         "{}; each force is along its own motion, positive where the root is pulled that way; what follows is of the {}",
-        told.join(", "),
+        reported.join(", "),
         pull.name
     );
     (!before.is_empty()).then_some(("steps before", text))

@@ -35,6 +35,7 @@ impl Record for SetaFound<'_> {
         of.field("reason", "why, with numbers; null where the end says it", |found| seta_end_reason(&found.pull_off.end));
         of.field("tips", "number of tips", |found| found.seta.tips());
         of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |found| found.pull_off.peak.as_ref().map(|state| Moment { state, converged: found.converged }));
+        of.field("initial_stiffness_N_per_m", "at the beginning of the pull, by how much the force along the pull rises with the displacement, the root held in all other directions; null where the pull was not begun", |found| found.pull_off.initial_stiffness);
         of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |found| Some(MeshError { curve: found.pull_off.peak.as_ref()?.point, converged: found.converged? }));
         of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |found| found.pull_off.first_detachment.as_ref().map(Moment::from));
         of.field("last_detachment", "just before the last one, else null", |found| found.pull_off.last_detachment.as_ref().map(Moment::from));
