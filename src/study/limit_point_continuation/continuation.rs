@@ -16,7 +16,7 @@ use crate::solve::points::search::{BendRule, FoundLimitPoint, LimitPointSearch};
 use crate::solve::problem::Problem;
 use crate::solve::state::{Mesh, State};
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::ORDER;
+use crate::study::asked::accuracy::ORDER;
 use crate::study::peel::work::power;
 use std::collections::VecDeque;
 

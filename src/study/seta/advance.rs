@@ -1,9 +1,8 @@
 //! One step of the root: along the branch, to a contact, or to a loss of stability.
 
-use super::knot::{Allowed, Knot, Reached};
+use super::knot::{Allowed, Knot, Reached, maximum};
+use super::loading::SetaOptions;
 use super::loss::{Loss, locate};
-use super::maximum::maximum;
-use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::result::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};

@@ -6,10 +6,10 @@
 //! upright. Why: where two tips are nearly alike the one whose height is followed to the loss need not be the one that comes to the end of its branch.
 
 use super::advance::{Advance, advance};
-use super::critical::Critical;
-use super::options::SetaOptions;
+use super::loading::SetaOptions;
 use super::rest::come_to_rest;
 use super::standing::{RootDrive, Standing, TipTangent};
+use super::watched::Critical;
 use crate::model::seta::mesh::SetaMesh;
 use crate::model::seta::normal_pull::{CurvePoint, NormalPull, PullCurve, Sideways};
 use crate::model::seta::parameters::{Seta, SetaModel};

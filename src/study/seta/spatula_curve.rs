@@ -14,10 +14,10 @@ use crate::solve::path::segment::PathSegment;
 use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::{Accuracy, Resolution};
+use crate::study::asked::accuracy::{Accuracy, Resolution};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
-use crate::study::peel::step_curve::StepCurve;
+use crate::study::peel::step_dependence::StepCurve;
 use std::sync::Arc;
 
 /// Most points up to the limit point.

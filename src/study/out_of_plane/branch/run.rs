@@ -14,19 +14,17 @@ use crate::solve::points::locate::on_more_elements;
 use crate::solve::problem::InitialState;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::{Accuracy, Resolution};
-use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::asked::accuracy::{Accuracy, Resolution};
+use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::asked::stop_criteria::StopCriteria;
+use crate::study::asked::terms::Terms;
 use crate::study::out_of_plane::first_loss::{Beside, Known, LocatedLoss, StepSearch};
-use crate::study::out_of_plane::refusal::NotOutOfPlane;
-use crate::study::out_of_plane::result::{OutOfPlaneError, OutOfPlaneLoss};
-use crate::study::out_of_plane::roll_elements::RollStability;
-use crate::study::out_of_plane::roll_reader::RollReader;
+use crate::study::out_of_plane::result::{NotOutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
+use crate::study::out_of_plane::roll_elements::{RollReader, RollStability};
 use crate::study::peel::meshes::KnownStart;
-use crate::study::peel::points::{LimitPoint, PathPoint};
 use crate::study::peel::result::{PathEnd, Peel};
 use crate::study::peel::run::run_from;
-use crate::study::stop_criteria::StopCriteria;
-use crate::study::terms::decision::Terms;
+use crate::study::peel::solution_history::{LimitPoint, PathPoint};
 use std::sync::Arc;
 
 /// The first step along the branch over the way from the branch point to its first point.
