@@ -14,8 +14,7 @@ mod terms;
 pub use crate::solve::LimitPointKind;
 pub use crate::solve::points::tracer::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 /// Order of the elements with which a point is followed.
-pub use asked::accuracy::ORDER as FOLLOWED_ORDER;
-pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice};
+pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice, ORDER as FOLLOWED_ORDER};
 pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use displacement_controlled_test::observed::{NoTest, no_test, observed, observed_retreat};
@@ -54,15 +53,13 @@ pub use parameters::fit::result::{
 };
 pub use parameters::fit::run::fit;
 pub use parameters::fit::warnings::FitWarning;
-pub use parameters::optimisation;
 pub use parameters::sensitivity::differences::MOST_CHANGED;
 pub use parameters::sensitivity::force::force_derivatives;
-pub use parameters::sensitivity::logarithmic::Exponent;
+pub use parameters::sensitivity::quantity::{Derivative, Variation};
 pub use parameters::sensitivity::quantity::{NoSensitivities, PeelQuantity};
-pub use parameters::sensitivity::run::{Sensitivities, sensitivities};
-pub use parameters::sensitivity::{Derivative, Variation};
+pub use parameters::sensitivity::run::{Exponent, Sensitivities, sensitivities};
 pub use parameters::sweep::{PeelResult, power_law, sweep};
-pub use parameters::uncertainty;
+pub use parameters::{optimisation, uncertainty};
 pub use peel::budget::Checkpoint;
 pub use peel::contact::{Adhering, Contact, SMALLEST_RADIUS};
 pub use peel::equilibrium_path::follow::PathPoints;

@@ -6,8 +6,8 @@
 
 use super::bracket::brackets;
 use super::branching::locate_branching;
-use super::kind::LimitPointKind;
 use super::locate::{Located, locate};
+use super::search::LimitPointKind;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;

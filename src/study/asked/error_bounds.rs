@@ -4,8 +4,8 @@
 //! The true errors are those against collocation without finite elements (`verification/README.md`). A measurement with another factor
 //! than the one that stands here was made with a build that has it.
 
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::Located;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Problem;
 
 // -- what a difference shows --

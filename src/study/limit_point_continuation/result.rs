@@ -1,7 +1,7 @@
 //! What a sweep that follows one point gives.
 
 use crate::solve::error::SolveError;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::points::tracer::TraceError;
 use crate::study::asked::stop_criteria::Bound;
 use crate::study::initial::error::NoEquilibrium;

@@ -10,8 +10,8 @@ use crate::model::check::error::ModelError;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::Located;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::asked::accuracy::Accuracy;
 use crate::study::asked::error_bounds::{
     BENDING_ROUND_OFF, DIFFERENCE_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_HELD, ROUND_OFF_PLACE, STRAIN_ROUND_OFF,

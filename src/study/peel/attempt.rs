@@ -9,7 +9,7 @@ use super::special_points::{difference_at_start, error_at_start};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::asked::accuracy::{Accuracy, Resolution};
 use crate::study::asked::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,

@@ -14,7 +14,7 @@ use crate::model::ground::{Ground, Start};
 use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::model::problem::build::Discretisation;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use crate::study::asked::accuracy::ORDER;
 use crate::study::asked::stop_criteria::{Bound, FollowedUntil};

@@ -8,7 +8,7 @@ use crate::beam::spatial::section_state::{SpatialSectionPlace, SpatialSectionSta
 use crate::model::peel::PeelModel;
 use crate::solve::error::SolveError;
 use crate::solve::path::options::PathError;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::workspace::Pace;
 use crate::study::asked::accuracy::Choice;
 use crate::study::asked::stop_criteria::Bound;

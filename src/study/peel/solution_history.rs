@@ -7,7 +7,7 @@ use crate::beam::spatial::spatial_beam::SpatialBeam;
 use crate::model::problem::beam_problem::{Beam, BeamProblem, SpatialGrip};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

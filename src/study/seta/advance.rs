@@ -10,9 +10,8 @@ use super::watched::Watched;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.

@@ -19,8 +19,8 @@ use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.

@@ -11,9 +11,8 @@ use super::watched::{critical_direction, disturbed};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::Coefficients;
 use crate::solve::workspace::Workspace;
 

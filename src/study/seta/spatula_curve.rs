@@ -11,7 +11,7 @@ use crate::model::step::Step;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::accuracy::{Accuracy, Resolution};

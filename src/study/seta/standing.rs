@@ -8,8 +8,7 @@ use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse, JointCo
 use crate::beam::spatial::tree::read::BranchSection;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::{Seta, SetaModel};
-use crate::model::seta::tip::AdheringTip;
-use crate::model::seta::tip_law::TipBranch;
+use crate::model::seta::tip_law::{AdheringTip, TipBranch};
 use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 use crate::solve::state::State;
 use crate::solve::system::INTERFACE;

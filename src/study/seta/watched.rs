@@ -6,9 +6,8 @@ use crate::beam::spatial::tree::branching_beam::JointUnknown;
 use crate::solve::error::SolveError;
 use crate::solve::linear::{Bordered, Tangents};
 use crate::solve::newton::Solution;
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 
 /// A place of a joint along x, y or z that grows or falls along a branch.

@@ -14,7 +14,7 @@ use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::model::peel::{Hold, PeelModel};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::asked::terms::Term;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::{LimitPoint, SolutionHistory};

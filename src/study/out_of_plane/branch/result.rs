@@ -2,7 +2,7 @@
 
 use crate::model::check::error::ModelError;
 use crate::solve::error::SolveError;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::out_of_plane::result::{OutOfPlaneError, OutOfPlaneLoss};
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::LimitPoint;

@@ -1,8 +1,8 @@
 //! Central differences with an error estimate.
 
-use super::Variation;
 use super::point::Adjoint;
 use super::quantity::NoSensitivities;
+use super::quantity::Variation;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;

@@ -1,15 +1,15 @@
 //! How the force at a held displacement changes with parameters, on the first stable branch of a path.
 
-use super::Variation;
 use super::differences::{Beside, Stencil};
 use super::point::{Adjoint, Held, solved};
 use super::quantity::NoSensitivities;
+use super::quantity::Variation;
 use super::run::{discretisation, solutions};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;

@@ -16,39 +16,6 @@
 mod along_path;
 pub(in crate::study) mod differences;
 pub(in crate::study) mod force;
-pub(in crate::study) mod logarithmic;
 mod point;
 pub(in crate::study) mod quantity;
 pub(in crate::study) mod run;
-
-use crate::model::peel::PeelModel;
-use quantity::PeelQuantity;
-
-/// A parameter that results are differentiated by.
-pub struct Variation<'m> {
-    /// What it is called: a key of a scene, say
-    pub key: String,
-    /// The model with the parameter changed by x, in a coordinate that is near to 1 where it matters: ln p for a number above zero. `model(0.0)` is the
-    /// model that was peeled.
-    pub model: Box<dyn Fn(f64) -> PeelModel + Send + Sync + 'm>,
-}
-
-impl<'m> Variation<'m> {
-    /// By the coordinate of `model`.
-    pub fn new(key: impl Into<String>, model: impl Fn(f64) -> PeelModel + Send + Sync + 'm) -> Self {
-        Self { key: key.into(), model: Box::new(model) }
-    }
-}
-
-/// The derivative of one number by one parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Derivative {
-    /// The number
-    pub of: PeelQuantity,
-    /// Which of the variations
-    pub variation: usize,
-    /// dQ/dx, in the unit of the number
-    pub value: f64,
-    /// Bound on its error
-    pub error: f64,
-}

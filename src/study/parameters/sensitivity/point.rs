@@ -4,8 +4,7 @@ use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::linear::{Bordered, Tangents};
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 
 /// What is held while a parameter changes; the other of the two is what is differentiated.

@@ -1,9 +1,10 @@
 //! The numbers of a peel that can be differentiated, minimised, or called uncertain.
 
 use crate::model::check::error::ModelError;
+use crate::model::peel::PeelModel;
 use crate::model::problem::build::NoSuchOrder;
 use crate::solve::error::SolveError;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::{LimitPoint, Peak};
@@ -161,4 +162,33 @@ pub enum NoSensitivities {
     Order(#[from] NoSuchOrder),
     #[error("{of} could not be solved for again beside its limit point: {cause}")]
     NotSolved { of: &'static str, cause: SolveError },
+}
+
+/// A parameter that results are differentiated by.
+pub struct Variation<'m> {
+    /// What it is called: a key of a scene, say
+    pub key: String,
+    /// The model with the parameter changed by x, in a coordinate that is near to 1 where it matters: ln p for a number above zero. `model(0.0)` is the
+    /// model that was peeled.
+    pub model: Box<dyn Fn(f64) -> PeelModel + Send + Sync + 'm>,
+}
+
+impl<'m> Variation<'m> {
+    /// By the coordinate of `model`.
+    pub fn new(key: impl Into<String>, model: impl Fn(f64) -> PeelModel + Send + Sync + 'm) -> Self {
+        Self { key: key.into(), model: Box::new(model) }
+    }
+}
+
+/// The derivative of one number by one parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Derivative {
+    /// The number
+    pub of: PeelQuantity,
+    /// Which of the variations
+    pub variation: usize,
+    /// dQ/dx, in the unit of the number
+    pub value: f64,
+    /// Bound on its error
+    pub error: f64,
 }

@@ -1,18 +1,17 @@
 //! Where a path ends, and its last point there.
 
-use crate::beam::planar::friction_history::FrictionHistory;
 use crate::beam::planar::model_limits::BondedLoss;
-use crate::beam::planar::planar_beam::TIP_ROTATION;
+use crate::beam::planar::planar_beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::near_branch::is_mirrored;
 use crate::solve::path::options::PathError;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::{Located, ROUGH, solve_on};
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Direction;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use crate::study::asked::stop_criteria::{Bound, FollowedUntil};
 use crate::study::peel::budget::Limits;

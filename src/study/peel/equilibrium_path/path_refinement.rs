@@ -5,11 +5,11 @@
 
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::step_to;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::INTERPOLATION_ERROR_FACTOR;
 use std::sync::Arc;
