@@ -1,15 +1,13 @@
-//! A key in a few words, as a list of keys shows it: its default and what it may be.
+//! A key in a few words, as a list of keys shows it: what it may be.
 
-use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
-use super::kind::{Kind, Need};
-use crate::form::Form;
-use crate::scene::Scene;
-use crate::shape;
+use super::kind::{Key, Kind};
+use crate::body::shape_names;
+use crate::value::form::Form;
 use crate::value::pieces::PIECE;
 use crate::value::quantity::Dimension;
-use crate::value::{Value, show, steps};
-use peelkit::model::{Range, angle_text};
+use crate::value::{show, steps};
+use peelkit::model::Range;
 use peelkit::study::FollowedUntil;
 
 impl Key {
@@ -23,40 +21,6 @@ impl Key {
         match self.kind {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => Some(dimension),
             _ => None,
-        }
-    }
-
-    /// What holds where a scene does not give the key, in words: "1 nm", "90 deg", "none", "automatic", "required".
-    pub fn default_text(&self) -> String {
-        if self.need == Need::Required {
-            return self.required_text();
-        }
-        match (&self.kind, self.value(&Scene::of_defaults())) {
-            (Kind::Text(_), _) => "file name".into(),
-            (Kind::Fixed(..) | Kind::Share(..), _) if self.table == "accuracy" => "automatic".into(),
-            (Kind::Bound(..), None) => "none".into(),
-            (Kind::Steps(_), _) => "[]".into(),
-            (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
-            (Kind::Setting(_), Some(Value::List(items))) => {
-                let text = |item: &Value| if let Value::Text(text) = item { text.clone() } else { item.to_string() };
-                items.iter().map(text).collect::<Vec<_>>().join(", ")
-            }
-            (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
-            // an angle per length of zero is that in any unit
-            (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),
-            (_, Some(Value::Number(number))) if !self.unit().is_empty() => format!("{} {}", show(number), self.unit()),
-            (_, Some(Value::Text(text))) => text,
-            (_, Some(value)) => value.to_string(),
-            (_, None) => "none".into(),
-        }
-    }
-
-    /// That a scene has to hold it, or what in its place.
-    fn required_text(&self) -> String {
-        match self.alternative() {
-            Some(other) => format!("required, or {other}"),
-            None if self.table == "adhesion" => "or work and strength".into(),
-            None => "required".into(),
         }
     }
 
@@ -112,7 +76,7 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Until(_) => words(&FollowedUntil::NAMED),
-            Kind::Shape(_) => words(&shape::names()),
+            Kind::Shape(_) => words(&shape_names()),
             _ => Vec::new(),
         }
     }

@@ -1,6 +1,6 @@
 //! What an axis calls a key: words, symbol and unit.
 
-use super::Key;
+use super::kind::Key;
 
 /// Words and symbol of the keys that can be varied; a symbol may be missing.
 #[rustfmt::skip]

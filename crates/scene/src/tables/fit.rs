@@ -1,41 +1,17 @@
-//! What of a scene is fitted to a measured curve, and how: the table `fit`.
+//! The table `fit`: what each of its keys takes, and how it is read and written.
 
-use crate::error::{ValueError, one_line};
-use crate::form::Form;
-use crate::key::Key;
-use crate::key::kind::Setting;
-use crate::keys::find_key;
-use crate::near::nearest;
-use crate::scene::Scene;
-use crate::value::{Fault, Value, quoted, show};
-use peelkit::study::{FitOptions, FitParameter, Loss, ParameterOf, ProfileChoice};
-
-/// The table `fit`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FitTable {
-    /// What is fitted
-    pub parameters: Vec<FittedKey>,
-    /// Measured displacement of the first jump, nm; none: looked for
-    pub jump: Option<f64>,
-    /// How
-    pub options: FitOptions,
-}
-
-/// A key that is fitted.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FittedKey {
-    /// `strip.youngs_modulus`
-    pub path: String,
-    /// Lower bound, in the unit of the library
-    pub from: Option<f64>,
-    /// Upper bound
-    pub to: Option<f64>,
-}
+use crate::error::{nearest, one_line};
+use crate::key::kind::{Key, Setting};
+use crate::key::list::find;
+use crate::scene::studies::FittedKey;
+use crate::value::form::Form;
+use crate::value::{Fault, Value, quoted};
+use peelkit::study::{Loss, ProfileChoice};
 
 /// The table's name.
 pub(crate) const TABLE: &str = "fit";
 /// The key of the table that may be fitted itself.
-const ZERO: &str = "fit.displacement_zero";
+pub(crate) const ZERO: &str = "fit.displacement_zero";
 /// Tables whose numbers are no parameters of a model.
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
 /// `parameters`
@@ -45,12 +21,12 @@ pub(crate) static PARAMETERS: Setting = Setting {
     brief: "list of texts",
     example: "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
     form: || Form::list(Form::OfKey),
-    read: |scene, value| {
+    read: |scene, value, keys| {
         let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
-        of(scene).parameters = read(items)?;
+        scene.fit_table().parameters = read(items, keys)?;
         Ok(())
     },
-    write: |scene| Some(written(&scene.fit.as_ref()?.parameters)),
+    write: |scene, keys| Some(written(&scene.fit.as_ref()?.parameters, keys)),
 };
 
 /// `loss`
@@ -59,11 +35,11 @@ pub(crate) static LOSS: Setting = Setting {
     brief: "one of three words",
     example: "\"huber\"",
     form: || Form::word(LOSSES),
-    read: |scene, value| {
-        of(scene).options.loss = picked(LOSSES, value)?;
+    read: |scene, value, _| {
+        scene.fit_table().options.loss = picked(LOSSES, value)?;
         Ok(())
     },
-    write: |scene| Some(word(LOSSES, scene.fit.as_ref()?.options.loss)),
+    write: |scene, _| Some(word(LOSSES, scene.fit.as_ref()?.options.loss)),
 };
 
 /// `profile`
@@ -72,11 +48,11 @@ pub(crate) static PROFILE: Setting = Setting {
     brief: "poor, all, none",
     example: "\"all\"",
     form: || Form::word(PROFILES),
-    read: |scene, value| {
-        of(scene).options.profile = picked(PROFILES, value)?;
+    read: |scene, value, _| {
+        scene.fit_table().options.profile = picked(PROFILES, value)?;
         Ok(())
     },
-    write: |scene| Some(word(PROFILES, scene.fit.as_ref()?.options.profile)),
+    write: |scene, _| Some(word(PROFILES, scene.fit.as_ref()?.options.profile)),
 };
 
 const LOSSES: &[(&str, Loss)] = &[("squares", Loss::Squares), ("huber", Loss::Huber), ("soft-l1", Loss::SoftL1)];
@@ -97,20 +73,15 @@ fn word<T: Copy + PartialEq>(words: &[(&str, T)], choice: T) -> Value {
     Value::Text(words.iter().find(|(_, own)| *own == choice).map_or("", |(word, _)| word).to_owned())
 }
 
-/// The table of a scene, which has one from now on.
-pub(crate) fn of(scene: &mut Scene) -> &mut FitTable {
-    scene.fit.get_or_insert_default()
-}
-
 /// Reads the list of parameters.
-fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
+fn read(items: &[Value], keys: &[Key]) -> Result<Vec<FittedKey>, Fault> {
     let mut found: Vec<FittedKey> = Vec::new();
     for (index, item) in items.iter().enumerate() {
         let number = index + 1;
         let Value::Text(text) = item else {
             return Err(Fault::at(index, format!("has as parameter {number} {item}, which is no text")));
         };
-        let one = one(text)
+        let one = one(text, keys)
             .map_err(|why| Fault::at(index, format!("has as parameter {number} \"{}\", {why}", one_line(text))))?;
         if found.iter().any(|other| other.path == one.path) {
             return Err(Fault::at(index, format!("names `{}` twice", one.path)));
@@ -121,10 +92,10 @@ fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
 }
 
 /// One of them; else what is wrong with it.
-fn one(text: &str) -> Result<FittedKey, String> {
+fn one(text: &str, keys: &[Key]) -> Result<FittedKey, String> {
     let mut words = text.split_whitespace();
     let path = words.next().unwrap_or_default();
-    let key = find_key(path).map_err(|problem| match problem.remedy.starts_with("Did you mean") {
+    let key = find(keys, path).map_err(|problem| match problem.remedy.starts_with("Did you mean") {
         true => format!("which {}: {}", problem.found, lowered(&problem.remedy)),
         false => format!("which {}", problem.found),
     })?;
@@ -168,66 +139,13 @@ fn is_parameter(key: &Key) -> bool {
 }
 
 /// The list as a scene writes it.
-fn written(parameters: &[FittedKey]) -> Value {
+fn written(parameters: &[FittedKey], keys: &[Key]) -> Value {
     let text = |fitted: &FittedKey| {
-        let unit = find_key(&fitted.path).map_or("", |key| key.unit());
+        let unit = find(keys, &fitted.path).map_or("", |key| key.unit());
         let bound =
             |name: &str, value: Option<f64>| value.map(|value| format!(" {name} {value} {unit}").trim_end().to_owned());
         let (from, to) = (bound("from", fitted.from), bound("to", fitted.to));
         Value::Text(format!("{}{}{}", fitted.path, from.unwrap_or_default(), to.unwrap_or_default()))
     };
     Value::List(parameters.iter().map(text).collect())
-}
-
-/// What is wrong with the list of a scene whose other keys are right.
-pub(crate) fn conflict(scene: &Scene) -> Option<ValueError> {
-    let table = scene.fit.as_ref()?;
-    table.parameters.iter().find_map(|fitted| parameter(scene, fitted).err())
-}
-
-/// A parameter with the value that it has in the scene.
-fn parameter(scene: &Scene, fitted: &FittedKey) -> Result<FitParameter, ValueError> {
-    let FittedKey { path, from, to } = fitted;
-    let key = find_key(path)?;
-    if !key.belongs_to(scene) {
-        let problem = key.foreign(scene);
-        return Err(ValueError::new(format!("names `{path}`, which {}", problem.found), problem.remedy));
-    }
-    let Some(Value::Number(initial)) = key.value(scene) else {
-        return Err(ValueError::new(
-            format!("names `{path}`, which has no value in the scene"),
-            format!("Add `{path}` with the value at which the search begins, for example {}.", key.example_line()),
-        ));
-    };
-    let (low, high) = (from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY));
-    if !(low <= initial && initial <= high) {
-        return Err(ValueError::new(
-            format!("gives `{path}` bounds that do not hold its value in the scene, {} {}", show(initial), key.unit()),
-            "The search begins at the value of the scene: give bounds around it.",
-        ));
-    }
-    let of = if path == ZERO { ParameterOf::DisplacementZero } else { ParameterOf::Model };
-    Ok(FitParameter { key: path.clone(), initial, range: key.range(), from: *from, to: *to, of })
-}
-
-impl Scene {
-    /// The parameters that the table `fit` names, each with the value that it has in the scene.
-    ///
-    /// Fails as a scene does that names what it does not have.
-    pub fn fit_parameters(&self) -> Result<Vec<FitParameter>, ValueError> {
-        let table = self.fit.iter().flat_map(|table| &table.parameters);
-        table.map(|fitted| parameter(self, fitted)).collect()
-    }
-
-    /// The scene with other values of these keys, in the unit of the library, whatever they are: the check of the model refuses those that are
-    /// out of range.
-    pub fn with_numbers<'k>(&self, numbers: impl IntoIterator<Item = (&'k str, f64)>) -> Self {
-        let mut scene = self.clone();
-        for (path, value) in numbers {
-            if let Ok(key) = find_key(path) {
-                key.put_number(&mut scene, value);
-            }
-        }
-        scene
-    }
 }

@@ -1,6 +1,6 @@
 //! What the value of a key looks like: as much as an editor can know of it without computing anything.
 
-use super::value::quantity::Dimension;
+use super::quantity::Dimension;
 use peelkit::model::Range;
 
 /// The form of a value.
