@@ -101,6 +101,8 @@ pub struct Key {
     pub kind: Kind,
     /// What it means, in a few words.
     pub about: &'static str,
+    /// Words and symbol of an axis; empty of a key that is no number
+    pub(crate) title: (&'static str, &'static str),
     /// Whether a scene in space alone has it
     pub(crate) of_space: bool,
 }

@@ -1,4 +1,4 @@
-//! A key in a few words, as a list of keys shows it: what it may be.
+//! A key in a few words, as a list of keys shows it: the title of its axis, and what it may be.
 
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
 use super::kind::{Key, Kind};
@@ -11,6 +11,32 @@ use peelkit::model::Range;
 use peelkit::study::FollowedUntil;
 
 impl Key {
+    /// The key as the title of an axis, in [`Key::usual_unit`]: "height of the section h (nm)".
+    pub fn axis_title(&self) -> String {
+        self.title_in(self.usual_unit())
+    }
+
+    /// The same in the unit of the library, [`Key::unit`]: angles are in rad.
+    pub fn axis_title_in_library_unit(&self) -> String {
+        self.title_in(self.unit())
+    }
+
+    fn title_in(&self, unit: &str) -> String {
+        let (words, symbol) = if self.title.0.is_empty() { (self.about, "") } else { self.title };
+        let symbol = if symbol.is_empty() { String::new() } else { format!(" {symbol}") };
+        let unit = match unit {
+            "" => String::new(),
+            "J/m2" => " (J/m²)".to_owned(),
+            unit => format!(" ({unit})"),
+        };
+        format!("{words}{symbol}{unit}")
+    }
+
+    /// How many of [`Key::usual_unit`] one unit of the library is: 180/π for an angle, or else 1.
+    pub fn per_usual_unit(&self) -> f64 {
+        if self.usual_unit() == self.unit() { 1.0 } else { 1f64.to_degrees() }
+    }
+
     /// The unit that a list shows: of the library, but degrees for an angle; empty where the key takes no unit.
     pub fn usual_unit(&self) -> &'static str {
         self.dimension().map_or("", Dimension::usual_unit)

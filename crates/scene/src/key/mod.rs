@@ -8,4 +8,3 @@ pub(crate) mod list;
 mod listing;
 mod message;
 pub(crate) mod table;
-mod title;
