@@ -123,6 +123,7 @@ fn of(form: &Form) -> Value {
             let one = of(one);
             json!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
         }
+        Form::Either(one, other) => json!({ "anyOf": [of(one), of(other)] }),
         Form::List(one) => json!({ "type": "array", "items": of(one) }),
         Form::Table(entries) => entries_of(entries),
         Form::Step(words) => json!({ "type": "string", "pattern": format!("^\\s*(?:{})\\b", words.join("|")) }),

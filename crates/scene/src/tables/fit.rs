@@ -1,5 +1,6 @@
 //! The table `fit`: what each of its keys takes, and how it is read and written.
 
+use super::bounded::{BOUNDED, bounded, written};
 use crate::error::{nearest, one_line};
 use crate::key::kind::{Key, Setting};
 use crate::key::list::find;
@@ -16,17 +17,17 @@ pub(crate) const ZERO: &str = "fit.displacement_zero";
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
 /// `parameters`
 pub(crate) static PARAMETERS: Setting = Setting {
-    takes: "a list of texts, each a key with a number in the scene and, optionally, bounds: \"strip.youngs_modulus\", \"strip.youngs_modulus \
-            from 1 GPa to 5 GPa\"",
-    brief: "list of texts",
-    example: "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
-    form: || Form::list(Form::OfKey),
+    takes: "a list of keys with a number in the scene, each a text or, with bounds, a table of the `key`, `from` and `to`, of which one bound may be \
+            left out: \"strip.height\", { key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }",
+    brief: "list of keys",
+    example: "[{ key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }]",
+    form: || Form::list(Form::Either(Box::new(Form::OfKey), Box::new(Form::Table(BOUNDED)))),
     read: |scene, value, keys| {
         let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
         scene.fit_table().parameters = read(items, keys)?;
         Ok(())
     },
-    write: |scene, keys| Some(written(&scene.fit.as_ref()?.parameters, keys)),
+    write: |scene, keys| Some(written_list(&scene.fit.as_ref()?.parameters, keys)),
 };
 
 /// `loss`
@@ -78,11 +79,16 @@ fn read(items: &[Value], keys: &[Key]) -> Result<Vec<FittedKey>, Fault> {
     let mut found: Vec<FittedKey> = Vec::new();
     for (index, item) in items.iter().enumerate() {
         let number = index + 1;
-        let Value::Text(text) = item else {
-            return Err(Fault::at(index, format!("has as parameter {number} {item}, which is no text")));
+        let one = match item {
+            Value::Text(text) => {
+                one(text, keys).map_err(|why| format!("has as parameter {number} \"{}\", {why}", one_line(text)))
+            }
+            Value::Table(entries) => of_table(entries, keys).map_err(|why| format!("has in parameter {number} {why}")),
+            item => Err(format!(
+                "has as parameter {number} {item}, which is neither a text nor a table of a key and its bounds"
+            )),
         };
-        let one = one(text, keys)
-            .map_err(|why| Fault::at(index, format!("has as parameter {number} \"{}\", {why}", one_line(text))))?;
+        let one = one.map_err(|found| Fault::at(index, found))?;
         if found.iter().any(|other| other.path == one.path) {
             return Err(Fault::at(index, format!("names `{}` twice", one.path)));
         }
@@ -91,7 +97,25 @@ fn read(items: &[Value], keys: &[Key]) -> Result<Vec<FittedKey>, Fault> {
     Ok(found)
 }
 
-/// One of them; else what is wrong with it.
+/// One of them that is a table; else what is wrong with it.
+fn of_table(entries: &[(String, Value)], keys: &[Key]) -> Result<FittedKey, String> {
+    let (key, from, to) = bounded(entries, BOUNDED, keys)?;
+    let path = key.path();
+    if !is_parameter(key) {
+        return Err(format!("`{path}`, which is not a number of the model"));
+    }
+    for (name, value) in [("from", from), ("to", to)] {
+        if value.is_some_and(|value| !key.range().contains(value)) {
+            return Err(format!("a bound `{name}` of `{path}` that is out of range: it takes {}", key.takes()));
+        }
+    }
+    if from.zip(to).is_some_and(|(from, to)| from >= to) {
+        return Err(format!("bounds of `{path}` of which `from` is not below `to`"));
+    }
+    Ok(FittedKey { path, from, to })
+}
+
+/// One of them that is a text, alone or as "strip.height from 2 nm to 20 nm"; else what is wrong with it.
 fn one(text: &str, keys: &[Key]) -> Result<FittedKey, String> {
     let mut words = text.split_whitespace();
     let path = words.next().unwrap_or_default();
@@ -138,14 +162,11 @@ fn is_parameter(key: &Key) -> bool {
     key.is_numeric() && !key.is_count() && (of_model || key.path() == ZERO)
 }
 
-/// The list as a scene writes it.
-fn written(parameters: &[FittedKey], keys: &[Key]) -> Value {
-    let text = |fitted: &FittedKey| {
-        let unit = find(keys, &fitted.path).map_or("", |key| key.unit());
-        let bound =
-            |name: &str, value: Option<f64>| value.map(|value| format!(" {name} {value} {unit}").trim_end().to_owned());
-        let (from, to) = (bound("from", fitted.from), bound("to", fitted.to));
-        Value::Text(format!("{}{}{}", fitted.path, from.unwrap_or_default(), to.unwrap_or_default()))
+/// The list as a scene writes it: keys without bounds as texts.
+fn written_list(parameters: &[FittedKey], keys: &[Key]) -> Value {
+    let one = |FittedKey { path, from, to }: &FittedKey| match (from, to) {
+        (None, None) => Value::Text(path.clone()),
+        _ => written(path, *from, *to, keys),
     };
-    Value::List(parameters.iter().map(text).collect())
+    Value::List(parameters.iter().map(one).collect())
 }

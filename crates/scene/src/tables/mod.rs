@@ -1,5 +1,6 @@
 //! Tables of a scene beside its body: what their keys take, and what goes together in them.
 
+mod bounded;
 pub(crate) mod fit;
 pub(crate) mod optimise;
 pub(crate) mod rate;

@@ -1,8 +1,8 @@
 //! The table `optimise`: what each of its keys takes, and how it is read and written.
 
-use crate::error::{nearest, one_line};
+use super::bounded::{BETWEEN, bounded, entry, written};
+use crate::error::nearest;
 use crate::key::kind::{Key, Setting};
-use crate::key::list::find;
 use crate::scene::Scene;
 use crate::scene::studies::{FreeKey, FreeProfile, OptimisationTable, VolumeRule};
 use crate::value::form::{Entry, Form};
@@ -95,13 +95,19 @@ pub(crate) static PARAMETERS: Setting = Setting {
     takes: "a list of tables, each with the `key` of a number of the scene and its bounds `from` and `to`",
     brief: "list of tables",
     example: "[{ key = \"strip.youngs_modulus\", from = \"0.1 GPa\", to = \"10 GPa\" }]",
-    form: || Form::list(Form::Table(FREE_KEY)),
+    form: || Form::list(Form::Table(BETWEEN)),
     read: |scene, value, keys| {
         scene.optimisation_table().parameters = free_keys(value, keys)?;
         Ok(())
     },
     write: |scene, keys| {
-        Some(Value::List(table(scene)?.parameters.iter().map(|free| written_key(free, keys)).collect()))
+        Some(Value::List(
+            table(scene)?
+                .parameters
+                .iter()
+                .map(|free| written(&free.path, Some(free.from), Some(free.to), keys))
+                .collect(),
+        ))
     },
 };
 
@@ -241,13 +247,7 @@ pub(crate) static CHECK: Setting = Setting {
     write: |scene, _| Some(Value::Flag(table(scene)?.check)),
 };
 
-/// The entries of a free key.
-const FREE_KEY: &[Entry] = &[
-    Entry::needed("key", || Form::OfKey),
-    Entry::needed("from", || Form::OfItsKey),
-    Entry::needed("to", || Form::OfItsKey),
-];
-/// Those of a profile.
+/// The entries of a profile.
 const FREE_PROFILE: &[Entry] = &[
     Entry::needed("from", || Form::Quantity(Dimension::Length, Range::Positive)),
     Entry::needed("to", || Form::Quantity(Dimension::Length, Range::Positive)),
@@ -303,42 +303,11 @@ fn free_keys(value: &Value, keys: &[Key]) -> Result<Vec<FreeKey>, Fault> {
     items.iter().enumerate().map(one).collect()
 }
 
-/// The value of one of the names that a table may have.
-fn entry<'v>(entries: &'v [(String, Value)], known: &[Entry], wanted: &str) -> Result<Option<&'v Value>, String> {
-    let names: Vec<&str> = known.iter().map(|entry| entry.name).collect();
-    match entries.iter().find(|(name, _)| !names.contains(&name.as_str())) {
-        Some((name, _)) => Err(format!("`{}`, which is none of {}", one_line(name), names.join(", "))),
-        None => Ok(entries.iter().find(|(name, _)| name == wanted).map(|(_, value)| value)),
-    }
-}
-
 fn free_key(entries: &[(String, Value)], keys: &[Key]) -> Result<FreeKey, String> {
-    let given = |name: &str| entry(entries, FREE_KEY, name)?.ok_or_else(|| format!("no `{name}`"));
-    let path = match given("key")? {
-        Value::Text(text) => text.trim(),
-        value => return Err(format!("`key` = {value}, no text in quotes")),
-    };
-    let key = find(keys, path).map_err(|error| {
-        // a list of all keys is no sentence of a message
-        let near = Some(error.remedy.as_str()).filter(|remedy| remedy.len() < 100);
-        let remedy = near.unwrap_or("peel keys lists them");
-        format!("the key {}, which {}. {remedy}", quoted(path), error.found)
-    })?;
-    let (from, to) = (number(key, "from", given("from")?)?, number(key, "to", given("to")?)?);
-    Ok(FreeKey { path: key.path(), from, to })
-}
-
-fn number(key: &Key, name: &str, value: &Value) -> Result<f64, String> {
-    match value {
-        Value::Number(number) if key.unit().is_empty() => Ok(*number),
-        Value::Text(text) if !key.unit().is_empty() => key
-            .parse_number(text)
-            .map_err(|error| format!("`{name}` = {value}, and {} {}. {}", key.path(), error.found, error.remedy)),
-        Value::Number(number) => Err(format!(
-            "`{name}` = {value}, a number without a unit: write \"{number} {}\" if that is meant",
-            key.usual_unit()
-        )),
-        value => Err(format!("`{name}` = {value}, which is not a number without quotes")),
+    match bounded(entries, BETWEEN, keys)? {
+        (key, Some(from), Some(to)) => Ok(FreeKey { path: key.path(), from, to }),
+        (_, None, _) => Err("no `from`".into()),
+        (_, _, None) => Err("no `to`".into()),
     }
 }
 
@@ -357,15 +326,6 @@ fn profile(value: &Value) -> Result<FreeProfile, Fault> {
     };
     let read = || Ok(FreeProfile { from: length("from")?, to: length("to")?, slope: slope()? });
     read().map_err(|found: String| Fault::whole(format!("has {found}")))
-}
-
-/// A free key as a scene writes it.
-fn written_key(of: &FreeKey, keys: &[Key]) -> Value {
-    let unit = find(keys, &of.path).map_or("", Key::unit);
-    let value =
-        |number: f64| if unit.is_empty() { Value::Number(number) } else { Value::Text(format!("{number} {unit}")) };
-    let entries = [("key", Value::Text(of.path.clone())), ("from", value(of.from)), ("to", value(of.to))];
-    Value::Table(entries.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
 /// A profile as a scene writes it.

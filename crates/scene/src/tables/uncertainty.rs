@@ -1,8 +1,8 @@
 //! The table `uncertainty`: what each of its keys takes, and how it is read and written.
 
+use super::bounded::{named, number as of_key, written_number};
 use crate::error::{nearest, one_line};
 use crate::key::kind::{Key, Setting};
-use crate::key::list::find;
 use crate::scene::Scene;
 use crate::scene::studies::{CorrelatedKeys, UncertainKey};
 use crate::value::form::{Entry, Form};
@@ -185,12 +185,7 @@ fn one_input(entries: &[(String, Value)], keys: &[Key]) -> Result<UncertainKey, 
         None => Err(format!("no `{name}`")),
     };
     let path = text("key")?;
-    let key = find(keys, path).map_err(|error| {
-        // a list of all keys is no sentence of a message
-        let near = Some(error.remedy.as_str()).filter(|remedy| remedy.len() < 100);
-        let remedy = near.unwrap_or("peel keys lists them");
-        format!("the key {}, which {}. {remedy}", quoted(path), error.found)
-    })?;
+    let key = named(path, keys)?;
     let kind = text("distribution")?;
     let Some(&(kind, needed, center)) = KINDS.iter().find(|(name, ..)| *name == kind) else {
         let names = KINDS.map(|(name, ..)| name);
@@ -203,7 +198,9 @@ fn one_input(entries: &[(String, Value)], keys: &[Key]) -> Result<UncertainKey, 
         return Err(format!("`{}`, which a {kind} distribution does not have: it has {needs}", one_line(name)));
     }
     let number = |name: &str| match given(name) {
-        Some(value) => number(key, name, value),
+        Some(Value::Number(number)) if name == PLAIN => Ok(*number),
+        Some(value) if name == PLAIN => Err(format!("`{name}` = {value}, which is not a number without quotes")),
+        Some(value) => of_key(key, name, value),
         // the scene gives it
         None if center == Some(name) => Ok(0.0),
         None => Err(format!("no `{name}`, which a {kind} distribution needs")),
@@ -218,38 +215,20 @@ fn one_input(entries: &[(String, Value)], keys: &[Key]) -> Result<UncertainKey, 
     Ok(UncertainKey { path: key.path(), distribution, is_centered })
 }
 
-/// A parameter of a distribution of this key, in the unit of the library.
-fn number(key: &Key, name: &str, value: &Value) -> Result<f64, String> {
-    let is_plain = name == PLAIN || key.unit().is_empty();
-    match value {
-        Value::Number(number) if is_plain => Ok(*number),
-        Value::Number(number) => Err(format!(
-            "`{name}` = {value}, a number without a unit: write \"{number} {}\" if that is meant",
-            key.usual_unit()
-        )),
-        Value::Text(text) if !is_plain => key
-            .parse_number(text)
-            .map_err(|error| format!("`{name}` = {value}, and {} {}. {}", key.path(), error.found, error.remedy)),
-        value => Err(format!("`{name}` = {value}, which is not a number without quotes")),
-    }
-}
-
 /// An input as a scene writes it.
 fn written_input(input: &UncertainKey, keys: &[Key]) -> Value {
-    let unit = find(keys, &input.path).map_or("", Key::unit);
     let text = |text: &str| Value::Text(text.to_owned());
-    let value = |name: &str, number: f64| match unit {
-        _ if name == PLAIN => Value::Number(number),
-        "" => Value::Number(number),
-        unit => Value::Text(format!("{number} {unit}")),
+    let value = |name: &str, number: f64| match name {
+        PLAIN => Value::Number(number),
+        _ => written_number(&input.path, number, keys),
     };
     let kind = input.distribution.name();
     let center = KINDS.iter().find(|(name, ..)| *name == kind).and_then(|&(.., center)| center);
     let parameters = input.distribution.parameters().into_iter();
     let of_scene = |name: &str| input.is_centered && center == Some(name);
     let given = parameters.filter(|(name, _)| !of_scene(name)).map(|(name, of)| (name.to_owned(), value(name, of)));
-    let named = [("key", text(&input.path)), ("distribution", text(input.distribution.name()))];
-    Value::Table(named.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(given).collect())
+    let entries = [("key", text(&input.path)), ("distribution", text(input.distribution.name()))];
+    Value::Table(entries.into_iter().map(|(name, value)| (name.to_owned(), value)).chain(given).collect())
 }
 
 /// The entries of a correlation.
