@@ -100,7 +100,7 @@ impl Key {
                 let own = if own.is_empty() { "no other keys".into() } else { format!("the keys {}", own.join(", ")) };
                 let shapes = shapes_with(name).join("\" or \"");
                 ValueError::new(
-                    format!("is a key of [{table}] for another `shape` than \"{word}\""),
+                    format!("is a key of [substrate] for another `shape` than \"{word}\""),
                     format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."),
                 )
             }

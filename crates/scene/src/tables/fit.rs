@@ -17,8 +17,8 @@ pub(crate) const ZERO: &str = "fit.displacement_zero";
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
 /// `parameters`
 pub(crate) static PARAMETERS: Setting = Setting {
-    takes: "a list of keys with a number in the scene, each a text or, with bounds, a table of the `key`, `from` and `to`, of which one bound may be \
-            left out: \"strip.height\", { key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }",
+    takes: "a list of keys with a number in the scene, each a text or, with bounds, a table of its `key`, `from` and `to`; one bound may be left \
+            out",
     brief: "list of keys",
     example: "[{ key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }]",
     form: || Form::list(Form::Either(Box::new(Form::OfKey), Box::new(Form::Table(BOUNDED)))),
