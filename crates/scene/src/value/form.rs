@@ -1,6 +1,6 @@
 //! What the value of a key looks like: as much as an editor can know of it without computing anything.
 
-use super::value::quantity::Dimension;
+use super::quantity::Dimension;
 use peelkit::model::Range;
 
 /// The form of a value.
@@ -22,6 +22,8 @@ pub enum Form {
     OfItsKey,
     /// One value, or a list of two: at the beginning and at the end
     AtBothEnds(Box<Form>),
+    /// One form or the other
+    Either(Box<Form>, Box<Form>),
     /// A list of values that look alike
     List(Box<Form>),
     /// A table of these entries and no others

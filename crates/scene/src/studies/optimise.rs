@@ -1,15 +1,119 @@
-//! Whether the design problem of a scene has a meaning: which key is wrong, and what would be right.
+//! The design problem of a scene: what it asks of the library, and whether that has a meaning.
 
-use super::{FreeKey, OptimisationTable, TABLE, VolumeRule};
-use crate::bodies::body_of;
+use crate::body::body_of;
 use crate::error::ValueError;
-use crate::key::Key;
+use crate::key::kind::Key;
 use crate::keys::find_key;
 use crate::scene::Scene;
-use crate::value::show;
-use peelkit::model::Body;
-use peelkit::study::optimisation::{NoOptimum, ProfileColumn, SearchMethod};
+use crate::scene::studies::{FreeKey, OptimisationTable, VolumeRule};
+use crate::value::{Value, show};
+use peelkit::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
+use peelkit::study::PeelQuantity;
+use peelkit::study::optimisation::{
+    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, NoOptimum, Objective, ProfileColumn,
+    ProfileDesign, SearchMethod, volume,
+};
 use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// The table of a scene.
+const TABLE: &str = "optimise";
+
+/// From values of the variables to the model of a scene: keys first, then the widths, then the heights.
+#[derive(Clone)]
+struct Designs {
+    scene: Scene,
+    profile: Option<ProfileDesign>,
+    columns: Vec<ProfileColumn>,
+}
+
+impl Designs {
+    /// The model with these values; none where one is out of the range of its key.
+    fn model(&self, values: &[f64]) -> Option<PeelModel> {
+        let table = self.scene.optimisation.as_ref()?;
+        let (numbers, mut rest) = values.split_at_checked(table.parameters.len())?;
+        let mut scene = self.scene.clone();
+        for (free, &value) in table.parameters.iter().zip(numbers) {
+            find_key(&free.path).ok()?.store_number(&mut scene, value).ok()?;
+        }
+        let Some(profile) = &self.profile else { return Some(scene.model) };
+        let mut columns = Vec::new();
+        for &column in &self.columns {
+            let (of_column, others) = rest.split_at_checked(profile.values(column).len())?;
+            columns.push((column, of_column));
+            rest = others;
+        }
+        profile.shaped(&scene.model, &columns)
+    }
+}
+
+impl Scene {
+    /// The scene of a design: the keys set, the profile a table, and nothing left to optimise; none where it is no scene.
+    pub fn of_design(&self, values: &[f64]) -> Option<Self> {
+        let table = self.optimisation.as_ref()?;
+        let problem = self.design_problem()?;
+        let mut scene =
+            Self { model: (problem.model)(values)?, optimisation: None, uncertainty: None, fit: None, ..self.clone() };
+        if !table.columns().is_empty() {
+            scene.table_texts.profile = table_text(&scene.model)?;
+        }
+        Some(scene)
+    }
+
+    /// The design problem of the table `optimise`; none where the scene has none. What is wrong with it
+    /// [`peelkit::study::optimisation::DesignProblem::check`] says.
+    pub fn design_problem(&self) -> Option<DesignProblem<'static>> {
+        let table = self.optimisation.as_ref()?;
+        let objective = table.objective().unwrap_or(Objective::Quantity(PeelQuantity::InitiationPeakForce));
+        let columns = table.columns();
+        let profile = (!columns.is_empty()).then(|| ProfileDesign::of(&self.model, table.values)).flatten();
+        let designs = Designs {
+            scene: self.clone(),
+            columns: columns.iter().map(|(column, _)| *column).collect(),
+            profile: profile.clone(),
+        };
+        let (mut variables, mut start) = (Vec::new(), Vec::new());
+        for free in &table.parameters {
+            let value = find_key(&free.path).ok().and_then(|key| key.value(self));
+            variables.push(DesignVariable::new(free.path.clone(), free.from, free.to));
+            start.push(if let Some(Value::Number(number)) = value { number } else { f64::NAN });
+        }
+        let mut constraints: Vec<DesignConstraint<'static>> = Vec::new();
+        for (column, free) in columns {
+            let Some(profile) = &profile else { continue };
+            if let Some(slope) = free.slope {
+                let scale = 0.5 * (free.from + free.to);
+                constraints.extend(profile.smoothness(column, variables.len(), slope, scale));
+            }
+            variables.extend(profile.variables(column, free.from, free.to));
+            start.extend(profile.values(column));
+        }
+        constraints.extend(volume_constraint(table.volume_rule(), &self.model, designs.clone()));
+        let model = Box::new(move |values: &[f64]| designs.model(values));
+        Some(DesignProblem { objective, goal: table.goal, variables, constraints, model, start })
+    }
+}
+
+/// ln of the volume over that of the scene.
+fn volume_constraint(rule: VolumeRule, model: &PeelModel, designs: Designs) -> Option<DesignConstraint<'static>> {
+    let kind = match rule {
+        VolumeRule::Equal => ConstraintKind::Equal,
+        VolumeRule::AtMost => ConstraintKind::AtMost,
+        VolumeRule::Free => return None,
+    };
+    let (designs, given) = (Arc::new(designs), volume(model));
+    let function = move |values: &[f64]| designs.model(values).map_or(f64::NAN, |model| (volume(&model) / given).ln());
+    Some(DesignConstraint { name: "volume".into(), kind, function: Box::new(function) })
+}
+
+/// The table of a profile as a CSV that reads as the same numbers.
+fn table_text(model: &PeelModel) -> Option<String> {
+    let Body::Profile(Profile { form: ProfileForm::Table(table), .. }) = &model.body else { return None };
+    let ProfileColumns { places, widths, heights, angles, roundness } = table.columns();
+    let row = |k: usize| format!("{},{},{},{},{}\n", places[k], widths[k], heights[k], angles[k], roundness[k]);
+    let rows: String = (0..places.len()).map(row).collect();
+    Some(format!("{}\n{rows}", ProfileTable::COLUMNS.join(",")))
+}
 
 /// What is wrong with the table of a scene: its key, and how.
 pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {

@@ -1,16 +1,30 @@
-//! The table `optimise`: what is free, what is to be large or small, and under which constraints.
+//! What a scene asks of a study as data: the tables `fit`, `optimise` and `uncertainty`.
 
-pub(crate) mod check;
-mod design;
-mod read;
-pub(crate) mod settings;
+use peelkit::study::optimisation::{Goal, Objective, OptimisationOptions, ProfileColumn, SearchMethod};
+use peelkit::study::uncertainty::{Distribution, Indices};
+use peelkit::study::{Accuracy, FitOptions, PeelQuantity};
 
-use crate::scene::Scene;
-use peelkit::study::optimisation::{Goal, OptimisationOptions, SearchMethod};
-use peelkit::study::{Accuracy, PeelQuantity};
+/// The table `fit`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FitTable {
+    /// What is fitted
+    pub parameters: Vec<FittedKey>,
+    /// Measured displacement of the first jump, nm; none: looked for
+    pub jump: Option<f64>,
+    /// How
+    pub options: FitOptions,
+}
 
-/// Its name.
-pub(crate) const TABLE: &str = "optimise";
+/// A key that is fitted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedKey {
+    /// `strip.youngs_modulus`
+    pub path: String,
+    /// Lower bound, in the unit of the library
+    pub from: Option<f64>,
+    /// Upper bound
+    pub to: Option<f64>,
+}
 
 /// The table `optimise`.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +73,23 @@ impl OptimisationTable {
             check: self.check,
             ..OptimisationOptions::to(accuracy)
         }
+    }
+}
+
+impl OptimisationTable {
+    /// What is free of the outline, with its bounds.
+    pub(crate) fn columns(&self) -> Vec<(ProfileColumn, FreeProfile)> {
+        let columns = [(ProfileColumn::Width, self.width), (ProfileColumn::Height, self.height)];
+        columns.into_iter().filter_map(|(column, free)| Some((column, free?))).collect()
+    }
+
+    /// The objective; none where the text has none.
+    pub(crate) fn objective(&self) -> Option<Objective> {
+        let of = self.objective?;
+        Some(match (self.holding_angle, self.release_angle) {
+            (Some(holding_angle), Some(release_angle)) => Objective::Ratio { of, holding_angle, release_angle },
+            _ => Objective::Quantity(of),
+        })
     }
 }
 
@@ -125,7 +156,52 @@ impl OptimisationTable {
     }
 }
 
-/// The table of a scene, which it is given where it has none.
-pub(crate) fn of(scene: &mut Scene) -> &mut OptimisationTable {
-    scene.optimisation.get_or_insert_default()
+/// The table `uncertainty`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UncertaintyTable {
+    /// What is uncertain
+    pub inputs: Vec<UncertainKey>,
+    /// Which of them vary together
+    pub correlations: Vec<CorrelatedKeys>,
+    /// What is asked for
+    pub quantities: Vec<PeelQuantity>,
+    /// Most peels that are sampled
+    pub samples: usize,
+    /// Of the sample
+    pub seed: u64,
+    /// Whether sensitivity indices are estimated
+    pub indices: Indices,
+}
+
+/// A key that is uncertain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UncertainKey {
+    /// `strip.height`
+    pub path: String,
+    /// In the unit of the library. Its mean, median or mode is 0 where `is_centered`.
+    pub distribution: Distribution,
+    /// Whether the value of the scene takes the place of its mean, median or mode
+    pub is_centered: bool,
+}
+
+/// Two keys that vary together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CorrelatedKeys {
+    /// Their paths
+    pub keys: [String; 2],
+    /// As of [`peelkit::study::uncertainty::Correlation`]
+    pub coefficient: f64,
+}
+
+impl Default for UncertaintyTable {
+    fn default() -> Self {
+        Self {
+            inputs: Vec::new(),
+            correlations: Vec::new(),
+            quantities: vec![PeelQuantity::InitiationPeakForce],
+            samples: 10_000,
+            seed: 0,
+            indices: Indices::Estimated,
+        }
+    }
 }

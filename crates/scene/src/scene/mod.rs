@@ -1,14 +1,17 @@
 //! A scene as data.
 
-use super::tables::bounds::BoundsTable;
-use super::tables::fit::FitTable;
-use super::tables::optimisation::OptimisationTable;
-use super::tables::rate::TimeTable;
-use super::tables::seta::SetaTable;
-use super::tables::uncertainty::UncertaintyTable;
-use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
-use peelkit::study::Accuracy;
+pub(crate) mod bounds;
+pub(crate) mod rate;
+pub(crate) mod seta;
+pub(crate) mod studies;
+
+use bounds::BoundsTable;
+use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
+use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy};
+use rate::TimeTable;
+use seta::SetaTable;
 use std::path::Path;
+use studies::{FitTable, OptimisationTable, UncertaintyTable};
 
 /// A whole scene, every value checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,6 +81,54 @@ impl Scene {
             uncertainty: None,
             table_texts: TableTexts::default(),
         }
+    }
+}
+
+impl Scene {
+    /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
+    /// tips is computed of.
+    pub fn tip_model(&self) -> PeelModel {
+        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
+        PeelModel::of(self.model.body.clone(), self.model.adhesion, grip)
+    }
+
+    /// Whether values fit one another that are right by themselves: else the key that does not, and why.
+    pub fn check(&self) -> Result<(), ModelError> {
+        match self.seta {
+            None => study::checked(&self.model, &self.accuracy),
+            Some(_) => study::checked(&self.tip_model(), &self.accuracy),
+        }
+    }
+}
+
+/// The tables of a scene, which it is given where it has none.
+impl Scene {
+    pub(crate) fn seta_table(&mut self) -> &mut SetaTable {
+        self.seta.get_or_insert_default()
+    }
+
+    /// The steps of a seta have a tolerance of their own.
+    pub(crate) fn time_table(&mut self) -> &mut TimeTable {
+        let usual = TimeTable::default();
+        let tolerance = if self.seta.is_some() { SetaTimeAccuracy::default().tolerance } else { usual.tolerance };
+        self.time.get_or_insert(TimeTable { tolerance, ..usual })
+    }
+
+    pub(crate) fn fit_table(&mut self) -> &mut FitTable {
+        self.fit.get_or_insert_default()
+    }
+
+    pub(crate) fn optimisation_table(&mut self) -> &mut OptimisationTable {
+        self.optimisation.get_or_insert_default()
+    }
+
+    /// What is pulled off tip by tip has no initiation peak.
+    pub(crate) fn uncertainty_table(&mut self) -> &mut UncertaintyTable {
+        let is_seta = self.seta.is_some();
+        self.uncertainty.get_or_insert_with(|| match UncertaintyTable::default() {
+            table if is_seta => UncertaintyTable { quantities: vec![PeelQuantity::PeakForce], ..table },
+            table => table,
+        })
     }
 }
 
