@@ -130,6 +130,20 @@ fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
     }
 }
 
+/// Where the displacement zero is free, a search may go there and fit nothing.
+#[test]
+fn a_fit_beside_the_measured_points_says_so() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
+    let (_, rows) = text.split_once("force_nN\n").unwrap();
+    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
+    let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
+    let (_, text, trouble) = fit(dir.path(), "um.csv", &["--set", both, "--out", "fit"]);
+    assert!(text.contains("no measured point lies on the path of the model"), "{text}{trouble}");
+    let summary = std::fs::read_to_string(dir.path().join("fit/summary.json")).unwrap();
+    assert!(summary.contains("\"none-on-path\"") && !summary.contains("\"before-start\""), "{summary}");
+}
+
 /// A law with a work of adhesion and a strength of its own takes nothing from the half space.
 #[test]
 fn a_parameter_without_influence_is_refused() {

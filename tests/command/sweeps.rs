@@ -72,6 +72,11 @@ fn angles_come_out_in_the_degrees_in_which_they_are_given() {
     done(dir.path(), &["plot", "out", "--out", "both"]);
     let picture = fs::read_to_string(dir.path().join("both/plot.svg")).unwrap();
     assert!(picture.contains("(deg)"), "the axis is in degrees");
+    // and so does a map over two keys
+    let map = ["sweep", SCENE, "--vary", "drive.angle", "--values", "75,90 deg", "--vary", "strip.height"];
+    done(dir.path(), &[&map[..], &["--values", "9 nm,10 nm", "--out", "map"], &ROUGHLY].concat());
+    let picture = fs::read_to_string(dir.path().join("map/sweep.svg")).unwrap();
+    assert!(picture.contains("(deg)") && !picture.contains("(rad)"), "the axis is in degrees");
 }
 
 #[test]
