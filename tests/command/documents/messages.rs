@@ -130,7 +130,7 @@ fn every_warning_and_every_end_is_explained() {
             .filter_map(|line| Some(line.split_once(after)?.1.split('"').next()?.to_owned()))
             .collect()
     };
-    let warnings = quoted("src/study/warnings.rs", "=> \"");
+    let warnings = quoted("src/study/terms/warnings.rs", "=> \"");
     let ends = quoted("crates/report/src/names.rs", "=> \"");
     assert!(warnings.len() >= 7 && ends.len() >= 11, "{warnings:?} {ends:?}");
     let (trouble, concepts) = (text(PATH), text("docs/reference/concepts.md"));
