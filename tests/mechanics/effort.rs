@@ -55,7 +55,10 @@ const PINNED: &[(&str, Cost)] = &[
     ("seta-at-a-rate", [601, 1236, 21, 634]),
 ];
 
-fn scenes() -> Vec<(&'static str, Box<dyn Fn() -> Cost + Sync>)> {
+/// A scene's name, and what finds its cost.
+type Scene = (&'static str, Box<dyn Fn() -> Cost + Sync>);
+
+fn scenes() -> Vec<Scene> {
     let law = |name| {
         move || of(&peeled(&with(strip(), |model| model.adhesion.attraction = Attraction::named(name).unwrap()), 1e-6))
     };

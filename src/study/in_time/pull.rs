@@ -302,9 +302,6 @@ pub struct InTimeFailure {
 
 // -- How a grip is pulled in time, and how accurately that is followed --
 
-#[cfg(doc)]
-use crate::model::peel::PeelModel;
-
 /// Where a pull in time ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Until {
