@@ -40,7 +40,8 @@ pub use displacement_controlled_test::result::{
 pub use fit::error::{FitDataError, NoFit};
 pub use fit::loss::Loss;
 pub use fit::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
-pub use fit::problem::{FitOptions, FitParameter, FitProblem, ModelOf, ParameterOf, ProfileChoice};
+pub use fit::problem::{CurveBy, CurveOf, FitOptions, FitParameter, FitProblem, ModelOf, ParameterOf, ProfileChoice};
+pub use fit::pulled_curve::PulledCurve;
 pub use fit::result::{
     Combination, Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace, Profile,
 };

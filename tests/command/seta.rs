@@ -200,8 +200,9 @@ fn what_has_no_meaning_is_refused() {
         let (status, _, trouble) = run(dir.path(), &[&[command[0], &scene()], &command[1..]].concat());
         assert_eq!(status, Some(2), "{command:?}: {trouble}");
         assert!(
-            trouble
-                .contains("is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute"),
+            trouble.contains(
+                "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute"
+            ),
             "{command:?}: {trouble}"
         );
     }

@@ -2,8 +2,10 @@
 
 use super::error::ValueError;
 use super::scene::Scene;
+use super::tables::{rate, seta};
 use peelkit::model::ModelError;
 use peelkit::study;
+use peelkit::study::PeelQuantity;
 
 impl Scene {
     /// Whether values fit one another that are right by themselves: else the key that does not, and why.
@@ -13,6 +15,31 @@ impl Scene {
             Some(_) => study::checked(&self.tip_model(), &self.accuracy),
         }
     }
+
+    /// The same, with what a seta and a pull at a rate need besides: what is wrong, with the key in front.
+    pub fn check_whole(&self) -> Result<(), ValueError> {
+        if let Some((key, problem)) = seta::problem(self).or_else(|| rate::problem(self)) {
+            return Err(ValueError::new(format!("`{key}` {}", problem.found), problem.remedy));
+        }
+        self.check().map_err(|error| ValueError::new(format!("`{}` {}", error.key(), error.found()), error.remedy()))
+    }
+
+    /// The numbers that a run of the scene has, and in words what has them.
+    pub(crate) fn quantities(&self) -> (&'static [PeelQuantity], &'static str) {
+        match (&self.time, &self.seta) {
+            (Some(_), _) => (&PeelQuantity::AT_A_RATE, "a pull at a rate"),
+            (None, Some(_)) => (&PeelQuantity::OF_A_SETA, "the pull-off of a seta"),
+            (None, None) => (&PeelQuantity::OF_A_PEEL, "a peel"),
+        }
+    }
+}
+
+/// That a run of a scene does not have a number; nothing where it has.
+pub(crate) fn has_no(scene: &Scene, of: PeelQuantity) -> Option<ValueError> {
+    let (own, subject) = scene.quantities();
+    let names: Vec<&str> = own.iter().map(|of| of.name()).collect();
+    let found = format!("names \"{}\", which {subject} does not have", of.name());
+    (!own.contains(&of)).then(|| ValueError::new(found, format!("Of {subject} there are {}.", names.join(", "))))
 }
 
 impl From<ModelError> for ValueError {

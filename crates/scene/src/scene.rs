@@ -20,9 +20,9 @@ pub struct Scene {
     /// The body, its adhesion, its grip and how that is moved; of a scene with a seta the body at each tip with its adhesion
     /// ([`Scene::tip_model`]), and how the root is moved.
     pub model: PeelModel,
-    /// The seta, where the scene has one; `peel run`, `peel sweep` and `peel uncertainty` compute it.
+    /// The seta, where the scene has one.
     pub seta: Option<SetaTable>,
-    /// The rate of the pull, where the scene has one; `peel run` and `peel sweep` alone follow it in time.
+    /// The rate of the pull, where the scene has one.
     pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,

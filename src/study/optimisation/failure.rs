@@ -25,6 +25,8 @@ pub enum NoOptimum {
         "the peel of the design at the start has no {name}: it ended {end}; choose another objective, or another start"
     )]
     NoObjective { name: &'static str, end: String },
+    #[error("the design at the start has no {name}: {why}; choose another objective, or another start")]
+    NoNumber { name: &'static str, why: String },
     #[error("{name} is {value:e} at the start, and an objective has to be above zero")]
     NotPositive { name: &'static str, value: f64 },
     #[error(

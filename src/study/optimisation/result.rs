@@ -15,8 +15,17 @@ pub struct Design {
     pub objective: f64,
     /// Bound on the error of Q; none where the number of the peel has none
     pub error: Option<f64>,
-    /// One a factor of the objective
-    pub peels: Vec<Peel>,
+    /// What the objective is made of
+    pub of: DesignFound,
+}
+
+/// What was computed of a design, one a factor of the objective.
+#[derive(Debug)]
+pub enum DesignFound {
+    /// Peels
+    Peels(Vec<Peel>),
+    /// Displacement (nm) and force (nN) of something else
+    Curves(Vec<Vec<(f64, f64)>>),
 }
 
 /// The best design that was found.

@@ -15,8 +15,8 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
-    Accuracy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve, MeasuredPoint,
-    NoFit, ParameterOf, PointPlace, ProfileChoice, StopCriteria, fit, peel,
+    Accuracy, CurveBy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve,
+    MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -82,7 +82,7 @@ fn problem(truth: Truth, names: &'static [(&'static str, f64)]) -> FitProblem<'s
         }
         model(truth)
     };
-    FitProblem { parameters: parameters(names), model: Box::new(with) }
+    FitProblem { parameters: parameters(names), model: Box::new(with), curve: CurveBy::Peel }
 }
 
 /// Displacements of the grip at which the curve is measured, nm: close around the peak, and wider up to 45 nm.

@@ -17,7 +17,7 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::optimisation::{
-    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, Evaluation, Goal, NoOptimum, Objective,
+    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, Evaluation, Goal, NoOptimum, NumberBy, Objective,
     OptimisationOptions, Optimum, ProfileColumn, ProfileDesign, SearchEnd, SearchMethod, optimise, volume,
 };
 use peelkit::study::{Accuracy, PeelQuantity, StopCriteria, peel, sweep};
@@ -39,6 +39,7 @@ fn stiffness(lower: f64, upper: f64) -> DesignProblem<'static> {
         variables: vec![DesignVariable::new("strip.bending_stiffness_factor", lower, upper)],
         constraints: Vec::new(),
         model: Box::new(|values| Some(stiffened(values[0]))),
+        number: NumberBy::Peel,
         start: vec![1.0],
     }
 }
@@ -68,7 +69,15 @@ fn width(values: usize, angle: f64) -> DesignProblem<'static> {
         function: Box::new(move |values| of_volume(values).map_or(f64::NAN, |model| (volume(&model) / given).ln())),
     });
     let model = Box::new(shaped);
-    DesignProblem { objective: PEAK, goal: Goal::Maximise, variables, constraints, model, start }
+    DesignProblem {
+        objective: PEAK,
+        goal: Goal::Maximise,
+        variables,
+        constraints,
+        model,
+        number: NumberBy::Peel,
+        start,
+    }
 }
 
 fn options<'o>() -> OptimisationOptions<'o> {

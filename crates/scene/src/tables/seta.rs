@@ -19,7 +19,7 @@ use std::sync::Arc;
 pub(crate) const TABLE: &str = "seta";
 
 /// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
-const OTHERS: [(&str, &[&str]); 10] = [
+const OTHERS: [(&str, &[&str]); 12] = [
     ("", &["title"]),
     ("strip", &[]),
     ("spatula", &[]),
@@ -28,6 +28,8 @@ const OTHERS: [(&str, &[&str]); 10] = [
     ("drive", &["angle", "azimuth", "steps"]),
     ("accuracy", &["relative", "order"]),
     ("bounds", &[]),
+    ("fit", &[]),
+    ("optimise", &[]),
     ("uncertainty", &[]),
     (
         "time",
@@ -123,7 +125,7 @@ impl SetaTable {
 /// That a scene is one of a seta, where a single beam is peeled.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute; here a single beam is peeled",
+        "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute; here a single beam is peeled",
         "Give the scene to one of them, or remove [seta] to peel one of its tips.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
@@ -158,7 +160,7 @@ pub(crate) fn foreign(scene: &Scene, key: &Key) -> ValueError {
         Some(_) => ValueError::new(
             "is given, and the scene has a [seta], which has no such key",
             format!(
-                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [uncertainty], and [time] without `held`.",
+                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
                 key.name
             ),
         ),

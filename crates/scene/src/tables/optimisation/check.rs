@@ -2,6 +2,7 @@
 
 use super::{FreeKey, OptimisationTable, TABLE, VolumeRule};
 use crate::bodies::body_of;
+use crate::check::has_no;
 use crate::error::ValueError;
 use crate::key::Key;
 use crate::keys::find_key;
@@ -17,6 +18,7 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let wrong = Wrong { scene, table };
     let found = wrong
         .free()
+        .and_then(|()| wrong.objective())
         .and_then(|()| wrong.angles())
         .and_then(|()| table.parameters.iter().enumerate().try_for_each(|(item, free)| wrong.parameter(item, free)))
         .and_then(|()| wrong.profiles())
@@ -47,6 +49,12 @@ impl Wrong<'_> {
             );
         }
         Ok(())
+    }
+
+    /// Whether a run of the scene has what is optimised.
+    fn objective(&self) -> Checked {
+        let none = self.table.objective.and_then(|of| has_no(self.scene, of));
+        none.map_or(Ok(()), |none| refuse("objective", none.found, none.remedy))
     }
 
     fn angles(&self) -> Checked {
@@ -198,6 +206,14 @@ impl Wrong<'_> {
     }
 
     fn method(&self) -> Checked {
+        let is_peel = self.scene.seta.is_none() && self.scene.time.is_none();
+        if let Some(method) = self.table.method.filter(|&method| !is_peel && method != SearchMethod::DerivativeFree) {
+            return refuse(
+                "method",
+                format!("is \"{}\", and {} has no derivatives", method.word(), self.scene.quantities().1),
+                "Use \"derivative-free\", or leave it out.",
+            );
+        }
         let constrained = self.table.volume_rule() != VolumeRule::Free
             || self.table.columns().iter().any(|(_, free)| free.slope.is_some());
         if self.table.method == Some(SearchMethod::QuasiNewton) && constrained {

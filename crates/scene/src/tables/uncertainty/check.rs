@@ -1,19 +1,16 @@
 //! Whether what is uncertain can be sampled: every distribution has to stay where its key may be.
 
 use super::{TABLE, UncertaintyTable};
+use crate::check::has_no;
 use crate::error::ValueError;
 use crate::key::Key;
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::value::{quoted, show};
-use peelkit::study::PeelQuantity;
 use peelkit::study::uncertainty::{Design, Distribution, Indices, NoDesign};
 
 /// The largest probability of a value that cannot be computed.
 const MOST_OUTSIDE: f64 = 1e-6;
-
-/// What can be asked of a seta.
-const OF_A_SETA: [PeelQuantity; 2] = [PeelQuantity::PeakForce, PeelQuantity::PeakDisplacement];
 
 /// What is wrong with the table of a scene: its key, and how.
 pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
@@ -23,10 +20,8 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     if let Some(problem) = each {
         return Some(at("inputs", problem));
     }
-    if let Some(other) = table.quantities.iter().find(|of| scene.seta.is_some() && !OF_A_SETA.contains(of)) {
-        let names = OF_A_SETA.map(PeelQuantity::name).join(", ");
-        let found = format!("names \"{}\", which the pull-off of a seta does not have", other.name());
-        return Some(at("quantities", ValueError::new(found, format!("Of a seta there are {names}."))));
+    if let Some(none) = table.quantities.iter().find_map(|&of| has_no(scene, of)) {
+        return Some(at("quantities", none));
     }
     if let Some(path) = table.correlations.iter().flat_map(|of| &of.keys).find(|path| !has(table, path)) {
         let known: Vec<&str> = table.inputs.iter().map(|of| of.path.as_str()).collect();
@@ -122,7 +117,7 @@ fn inside(scene: &Scene, key: &Key, distribution: &Distribution) -> Result<(), V
         };
         let narrower = "Use a narrower distribution.";
         key.store_number(&mut extreme, value).map_err(|error| ValueError::new(found(&error.found), narrower))?;
-        extreme.check().map_err(|error| ValueError::new(found(&error.to_string()), narrower))?;
+        extreme.check_whole().map_err(|error| ValueError::new(found(&error.found), narrower))?;
     }
     Ok(())
 }

@@ -65,10 +65,6 @@ impl Default for UncertaintyTable {
 
 /// The table of a scene, which it is given where it has none.
 pub(crate) fn of(scene: &mut Scene) -> &mut UncertaintyTable {
-    let is_seta = scene.seta.is_some();
-    scene.uncertainty.get_or_insert_with(|| match UncertaintyTable::default() {
-        // what is pulled off tip by tip has no initiation peak
-        table if is_seta => UncertaintyTable { quantities: vec![PeelQuantity::PeakForce], ..table },
-        table => table,
-    })
+    let first = scene.quantities().0[0];
+    scene.uncertainty.get_or_insert_with(|| UncertaintyTable { quantities: vec![first], ..UncertaintyTable::default() })
 }
