@@ -25,7 +25,7 @@ pub fn uncertainty(scene: &Scene, analysis: &Analysis, remark: Option<&str>) -> 
     };
     let _ = writeln!(text, "\nErrors are those of the sample, with a confidence of 95 %.\n{by}");
     if let Some(unknown) = unknown_error(scene) {
-        let _ = writeln!(text, "Of each result: {unknown}.");
+        let _ = writeln!(text, "{unknown}");
     }
     text
 }
