@@ -84,7 +84,6 @@ fn what_has_no_meaning_for_a_seta_is_refused() {
         ("[substrate]\nshape = \"sphere\"\nradius = \"1 um\"", "`substrate.shape`"),
         ("[drive]\nturn = \"1 deg/nm\"", "`drive.turn`"),
         ("[accuracy]\nelements = 30", "`accuracy.elements`"),
-        ("[fit]\nparameters = [\"spatula.youngs_modulus\"]", "`fit.parameters`"),
     ] {
         refused(&format!("{SETA}{line}\n"), &[], &format!("{key} is given, and the scene has a [seta]"));
     }

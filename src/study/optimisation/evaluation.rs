@@ -2,8 +2,7 @@
 //! peel has the number.
 
 use super::options::{Evaluation, OptimisationOptions};
-use super::problem::{DesignProblem, Factor, NumberBy};
-use super::result::DesignFound;
+use super::problem::{DesignFound, DesignProblem, Factor, NumberBy};
 use super::search_path::SearchPath;
 use crate::study::limit_point_continuation::result::Spacing;
 use crate::study::peel::result::Peel;

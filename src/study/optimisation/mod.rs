@@ -20,11 +20,11 @@ pub use certificate::{Certificate, DerivativeFreeCheck, Neighbours};
 pub use failure::NoOptimum;
 pub use options::{Evaluation, OptimisationOptions, SearchMethod};
 pub use problem::{
-    ConstraintKind, DesignConstraint, DesignFunction, DesignModel, DesignNumber, DesignProblem, DesignVariable, Goal,
-    NumberBy, NumberOf, Objective, ProfileColumn,
+    ConstraintKind, DesignConstraint, DesignFound, DesignFunction, DesignModel, DesignNumber, DesignProblem,
+    DesignVariable, Goal, NumberBy, NumberOf, Objective, ProfileColumn,
 };
 pub use profile::{ProfileDesign, volume};
 pub use projected_gradient::ActiveConstraint;
-pub use result::{Design, DesignFound, Optimum};
+pub use result::{Design, Optimum};
 pub use run::optimise;
 pub use search::{SearchEnd, SearchResult};

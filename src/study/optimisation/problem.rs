@@ -9,6 +9,7 @@
 
 use crate::model::peel::PeelModel;
 use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::peel::result::Peel;
 use crate::study::sensitivity::quantity::PeelQuantity;
 use crate::study::stop_criteria::StopCriteria;
 
@@ -171,6 +172,15 @@ pub struct DesignNumber {
     pub error: Option<f64>,
     /// Displacement (nm) and force (nN) of what was computed
     pub curve: Vec<(f64, f64)>,
+}
+
+/// What was computed of a design, one a factor of the objective.
+#[derive(Debug)]
+pub enum DesignFound {
+    /// Peels
+    Peels(Vec<Peel>),
+    /// Displacement (nm) and force (nN) of something else
+    Curves(Vec<Vec<(f64, f64)>>),
 }
 
 /// The number of the objective from the values of all variables and, of a ratio, the angle of the pull (rad), computed as long as the criteria let it;

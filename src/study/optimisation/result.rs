@@ -1,8 +1,8 @@
 //! What an optimisation finds.
 
 use super::certificate::Certificate;
+use super::problem::DesignFound;
 use super::search::SearchResult;
-use crate::study::peel::result::Peel;
 
 /// One design with its peels, to the accuracy that was asked for.
 #[derive(Debug)]
@@ -17,15 +17,6 @@ pub struct Design {
     pub error: Option<f64>,
     /// What the objective is made of
     pub of: DesignFound,
-}
-
-/// What was computed of a design, one a factor of the objective.
-#[derive(Debug)]
-pub enum DesignFound {
-    /// Peels
-    Peels(Vec<Peel>),
-    /// Displacement (nm) and force (nN) of something else
-    Curves(Vec<Vec<(f64, f64)>>),
 }
 
 /// The best design that was found.
