@@ -26,13 +26,11 @@ pub use planar::chain::{
 };
 pub use planar::density::on_ground::BeamOnGround;
 pub use planar::density::reduced::ReducedBeam;
-pub use planar::density::reissner::ReissnerBeam;
-pub use planar::density::rod::ReissnerRod;
+pub use planar::density::reissner::{ReissnerBeam, ReissnerRod};
 pub use planar::density::viscous::{ElasticSections, Viscous};
-pub use planar::friction_history::FrictionHistory;
 pub use planar::model_end::CollapsedSection;
 pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
-pub use planar::planar_beam::{BeamInertia, FRONT, FrontPosition, PlanarBeam, TIP_ROTATION};
+pub use planar::planar_beam::{BeamInertia, FRONT, FrictionHistory, FrontPosition, PlanarBeam, TIP_ROTATION};
 pub use planar::uniform_chain::elements::UniformChain;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};

@@ -4,9 +4,8 @@
 //! values; then the path constraint. Columns: the interface, then the force.
 
 use super::error::SolveError;
-use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
-use super::state::State;
+use super::state::{Observables, PathConstraint, State};
 use super::system::{CondensedSystem, INTERFACE};
 use nalgebra::{RowSVector, SMatrix, SVector};
 

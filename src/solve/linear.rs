@@ -11,9 +11,8 @@
 use super::error::SolveError;
 use super::grip_block::GripBlock;
 use super::newton::factorised;
-use super::observables::PathConstraint;
 use super::problem::Problem;
-use super::state::State;
+use super::state::{PathConstraint, State};
 use super::system::{Coefficients, INTERFACE};
 use super::workspace::Workspace;
 

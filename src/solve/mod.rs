@@ -3,7 +3,6 @@ pub(crate) mod error;
 mod grip_block;
 pub(crate) mod linear;
 pub(crate) mod newton;
-pub(crate) mod observables;
 pub(crate) mod path;
 pub(crate) mod points;
 pub(crate) mod problem;
@@ -14,26 +13,22 @@ pub mod time;
 pub(crate) mod workspace;
 pub use error::{Place, Quantity, SolveError};
 pub use linear::{Bordered, Tangents};
+pub use newton::on_more_elements;
 pub use newton::{NewtonOptions, Solution, Tangent, damped_step, settle, slopes, solve};
-pub use observables::{MONITORS, Observables, PathConstraint};
-pub use path::control::controlled;
 pub use path::equilibrium_path::Path;
 pub use path::hermite::Hermite;
-pub use path::options::{PathError, PathOptions, Waypoint};
+pub use path::options::{PathError, PathOptions, Waypoint, controlled};
 pub use path::predictor::{MOST_POINTS, lagrange_weights, longest_step};
 pub use path::segment::PathSegment;
 pub use points::bracket::brackets;
 pub use points::branching::locate_branching;
-pub use points::kind::LimitPointKind;
-pub use points::locate::{
-    Located, ROUGH, difference_on_more_elements, locate, on_more_elements, solve_on, step_to, unlocated,
-};
-pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointSearch};
+pub use points::locate::{Located, ROUGH, difference_on_more_elements, locate, solve_on, step_to, unlocated};
+pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointKind, LimitPointSearch};
 pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 pub use relax::{
     Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax, relaxed_on_more_elements,
 };
-pub use state::{History, Mesh, State};
+pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, State};
 pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
 pub use workspace::{Pace, ShouldStop, Workspace};

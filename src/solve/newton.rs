@@ -2,9 +2,8 @@
 
 use super::error::{Quantity, SolveError};
 use super::grip_block::GripBlock;
-use super::observables::{Observables, PathConstraint};
 use super::problem::Problem;
-use super::state::State;
+use super::state::{Observables, PathConstraint, State};
 use super::system::{Coefficients, CondensedSystem};
 use super::workspace::{Pace, Workspace};
 use serde::{Deserialize, Serialize};
@@ -330,3 +329,19 @@ pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].
 pub(in crate::solve) const FINE: f64 = 1e-12;
+
+/// The solution on half as many elements again with the same `weights` · observables.
+pub fn on_more_elements(
+    problem: &Problem,
+    coarse: &Solution,
+    weights: Observables,
+    ws: &mut Workspace,
+) -> Result<Solution, SolveError> {
+    let constraint = PathConstraint { weights, target: weights.dot(&coarse.observables) };
+    let options = |tolerance| NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 10, exact_slope: true };
+    let solved = |tolerance, ws: &mut Workspace| {
+        solve(problem, problem.system.refined(&coarse.at), &constraint, &options(tolerance), ws)
+    };
+    // next to a singular point round-off is larger, and shows in the difference
+    solved(FINE, ws).or_else(|_| solved(SINGULAR, ws))
+}

@@ -11,8 +11,7 @@
 //! unknown goes along, q_g = t u. The unknown in its place is how far it is from there: with that held at zero u, P and their slopes
 //! along the path come from the same equations as without, P being the force alone, and dΠ = (P + t M) du with the force M on it.
 
-use super::observables::{MONITORS, Observables};
-use super::state::State;
+use super::state::{MONITORS, Observables, State};
 use super::system::{EndRoll, Evaluation, INTERFACE, System};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;

@@ -9,11 +9,10 @@
 //! the energy does not fall. It ends in a stable equilibrium to which Newton's own method converges from near by, or fails.
 
 use super::error::SolveError;
+use super::newton::on_more_elements;
 use super::newton::{FINE, NewtonOptions, SINGULAR, Solution, damped_step, solve};
-use super::observables::{Observables, PathConstraint};
-use super::points::locate::on_more_elements;
 use super::problem::Problem;
-use super::state::State;
+use super::state::{Observables, PathConstraint, State};
 use super::system::Coefficients;
 use super::workspace::Workspace;
 use serde::{Deserialize, Serialize};

@@ -9,8 +9,7 @@
 //! costs one dynamic dispatch a factorisation.
 
 use super::error::SolveError;
-use super::observables::MONITORS;
-use super::state::{History, Mesh, State};
+use super::state::{History, MONITORS, Mesh, State};
 use super::workspace::Workspace;
 use std::sync::Arc;
 

@@ -7,6 +7,7 @@ mod beam;
 mod body;
 mod coarsening;
 mod common;
+mod effort;
 mod model;
 mod seta;
 mod solve;

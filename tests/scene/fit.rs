@@ -51,6 +51,34 @@ fn parameters_are_read_in_the_units_of_the_library() {
 }
 
 #[test]
+fn bounds_are_read_as_a_table_or_as_one_text_and_written_as_a_table() {
+    let of_text = r#""strip.height", "strip.youngs_modulus from 1 GPa to 5000 MPa", "strip.width to 2 nm", "strip.poissons_ratio from 0.1""#;
+    let of_tables = r#"
+        { key = "strip.height" }, { key = "strip.youngs_modulus", from = "1 GPa", to = "5 GPa" },
+        { key = "strip.width", to = "2 nm" }, { key = "strip.poissons_ratio", from = 0.1 }"#;
+    let scene = with_parameters(of_text).unwrap();
+    assert_eq!(with_parameters(of_tables).unwrap(), scene);
+    let written = scene.to_toml();
+    assert!(written.contains(r#"parameters = ["strip.height", { "#), "{written}");
+    assert!(written.contains(r#"key = "strip.youngs_modulus""#) && !written.contains(" from 1"), "{written}");
+    assert_eq!(Scene::parse("a.toml", &written, &[]).unwrap(), scene);
+}
+
+#[test]
+fn tables_of_a_key_and_its_bounds_are_refused_as_texts_are() {
+    let table = |entries: &str, part: &str| {
+        parameters_refused(&format!("\"strip.width\", {{ {entries} }}"), &["line 5", "in parameter 2", part]);
+    };
+    table("from = \"1 nm\"", "no `key`");
+    table("key = \"strip.hight\"", "Did you mean `strip.height`?");
+    table("key = \"strip.height\", form = \"1 nm\"", "`form`, which is none of key, from, to");
+    table("key = \"strip.height\", from = 9", "a number without a unit: write \"9 nm\" if that is meant");
+    table("key = \"strip.height\", from = \"-9 nm\"", "`from` of `strip.height` that is out of range");
+    table("key = \"strip.height\", from = \"12 nm\", to = \"8 nm\"", "`from` is not below `to`");
+    table("key = \"accuracy.relative\"", "not a number of the model");
+}
+
+#[test]
 fn what_is_left_out_has_its_default() {
     let scene = with_parameters("\"strip.height\"").unwrap();
     let table = scene.fit.as_ref().unwrap();
@@ -86,7 +114,7 @@ fn parameters_refused(parameters: &str, parts: &[&str]) {
 fn parameters_that_cannot_be_fitted_are_refused_by_key_and_line() {
     refused("", &["line 4", "parameters"]);
     refused("parameters = 3", &["line 5", "fit.parameters", "is 3, no list"]);
-    parameters_refused("3", &["has as parameter 1 3, which is no text"]);
+    parameters_refused("3", &["has as parameter 1 3, which is neither a text nor a table"]);
     parameters_refused("\"strip.hight\"", &["line 5", "parameter 1 \"strip.hight\"", "did you mean", "strip.height"]);
     parameters_refused("\"strip.section\"", &["not a number of the model"]);
     parameters_refused("\"accuracy.relative\"", &["not a number of the model"]);

@@ -1,11 +1,11 @@
 //! Keys of a scene that do not fit one another, or that are missing.
 
-use super::error::{Origin, SceneError, ValueError};
-use super::key::Key;
-use super::key::kind::{Kind, Need};
-use super::keys::KEYS;
-use super::scene::Scene;
-use super::tables::{fit, optimisation, rate, seta, uncertainty};
+use crate::error::{Origin, SceneError, ValueError};
+use crate::key::kind::{Key, Kind, Need};
+use crate::keys::KEYS;
+use crate::scene::Scene;
+use crate::studies::{fit, optimise, uncertainty};
+use crate::tables::{rate, seta};
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -52,8 +52,8 @@ impl Conflict {
         }
         let Err(error) = scene.check() else {
             let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
-            let of_questions = of_fit.or_else(|| optimisation::check::problem(scene));
-            let (key, problem) = of_questions.or_else(|| uncertainty::check::problem(scene))?;
+            let of_questions = of_fit.or_else(|| optimise::problem(scene));
+            let (key, problem) = of_questions.or_else(|| uncertainty::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };
         Some(Self { key: error.key().to_owned(), problem: error.into(), missing: None })
@@ -102,5 +102,44 @@ impl Conflict {
     pub(crate) fn of_override(self, path: &str, value: &str) -> SceneError {
         let text = format!("{path}={value}");
         Origin::Override { text: &text }.error(0..text.len(), &format!("`{}`", self.key), self.problem)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::key::kind::{Key, Kind};
+    use crate::keys::{KEYS, find_key};
+    use peelkit::model::{MODEL_NUMBERS, Range};
+    use peelkit::study::ACCURACY_NUMBERS;
+
+    /// The range of a key that takes one number.
+    fn range(key: &Key) -> Option<Range> {
+        match key.kind {
+            Kind::Number(range, _) | Kind::Share(range, _) | Kind::Measure(_, range, _) => Some(range),
+            Kind::Quantity(..) | Kind::Bound(..) => Some(Range::Positive),
+            Kind::Count(most, _) | Kind::Fixed(most, _) => Some(Range::From(1.0, most as f64)),
+            _ => None,
+        }
+    }
+
+    /// A scene refuses what the model refuses and nothing else, by the same name and in the same unit; the number of elements alone
+    /// may be larger in a program. A seta and a pull at a rate check their own numbers.
+    #[test]
+    fn the_numbers_of_a_scene_are_those_of_the_model() {
+        let model = MODEL_NUMBERS.iter().map(|number| (number.key, number.unit, number.range));
+        let accuracy = ACCURACY_NUMBERS.iter().map(|number| (number.key, number.unit, number.range));
+        let checked: Vec<_> = model.chain(accuracy).collect();
+        for &(path, unit, allowed) in &checked {
+            let key = find_key(path).unwrap();
+            assert_eq!((key.unit(), path), (unit, path));
+            if path != "accuracy.elements" {
+                assert_eq!((range(key), path), (Some(allowed), path));
+            }
+        }
+        for key in
+            KEYS.iter().filter(|key| range(key).is_some() && !["bounds", "fit", "seta", "time"].contains(&key.table))
+        {
+            assert!(checked.iter().any(|&(path, ..)| path == key.path()), "{} is not checked", key.path());
+        }
     }
 }

@@ -1,22 +1,22 @@
-//! From TOML texts to a scene: finds every key, hands its value over, and says where a problem stands.
+//! From TOML texts to a scene and back: finds every key, hands its value over, and says where a problem stands; and writes a scene as a
+//! text that reads as the same scene, to the last bit.
 
-use super::bodies::{BODIES, body_of, set_body};
-use super::conflict::Conflict;
-use super::error::{Origin, SceneError, ValueError, one_line};
-use super::key::Key;
-use super::key::kind::Kind;
-use super::keys::{KEYS, find_key, tables};
-use super::near::nearest;
-use super::not_toml::{end_of, not_toml};
-use super::scene::Scene;
-use super::space;
-use super::tables::{fit, optimisation, rate, seta, uncertainty};
-use super::value::Value;
-use peelkit::model::Adhesion;
+use crate::body::{BODIES, body_of, set_body, set_space};
+use crate::conflict::Conflict;
+use crate::error::{Origin, SceneError, ValueError, nearest, one_line};
+use crate::key::kind::{Key, Kind};
+use crate::key::table::{SETA, TIME};
+use crate::keys::{KEYS, find_key, tables};
+use crate::scene::Scene;
+use crate::tables::{rate, seta};
+use crate::value::Value;
+use crate::value::quantity::Comma;
+use peelkit::model::{Adhesion, Space};
 use std::collections::HashSet;
+use std::fmt::Write;
 use std::ops::Range;
-use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+use toml::{Spanned, Table};
 
 impl Scene {
     /// Reads a scene. `name` is that of the file and stands in every message; `overrides` are keys with values that
@@ -47,8 +47,8 @@ impl Scene {
         let scene = Self::parse_any(name, text, overrides)?;
         let file = Origin::File { name, text };
         match (&scene.time, &scene.seta) {
-            (Some(_), _) => Err(rate::refused(&file, header_of(text, rate::TABLE))),
-            (None, Some(_)) => Err(seta::refused(&file, header_of(text, seta::TABLE))),
+            (Some(_), _) => Err(rate::refused(&file, header_of(text, TIME.name))),
+            (None, Some(_)) => Err(seta::refused(&file, header_of(text, SETA.name))),
             (None, None) => Ok(scene),
         }
     }
@@ -68,6 +68,37 @@ impl Scene {
             }),
         }
     }
+}
+
+impl Scene {
+    /// As [`Scene::parse`], of a text that somebody else wrote: no file is read. A table of such a scene stands in its text; one that
+    /// is the name of a file is refused, wherever it stands.
+    pub fn parse_without_files(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
+        let file = Origin::File { name, text };
+        let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
+        for key in KEYS.iter().filter(|key| key.reads_a_file()) {
+            let table = document.get_ref().iter().find(|(table, _)| name_of(table) == key.table);
+            let keys = table.and_then(|(_, table)| table.get_ref().as_table());
+            let value = keys.and_then(|keys| keys.iter().find(|(name, _)| name_of(name) == key.name));
+            let named = value.filter(|(_, value)| value.get_ref().as_str().is_some_and(|text| !text.contains('\n')));
+            if let Some((_, value)) = named {
+                return Err(file.error(value.span(), &format!("`{}`", key.path()), names_a_file()));
+            }
+            if let Some((path, value)) = overrides.iter().find(|(path, _)| path.trim() == key.path()) {
+                let text = format!("{path}={value}");
+                let origin = Origin::Override { text: &text };
+                return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), names_a_file()));
+            }
+        }
+        Self::parse(name, text, overrides)
+    }
+}
+
+fn names_a_file() -> ValueError {
+    ValueError::new(
+        "names a file, and this scene is read without files",
+        "Put the lines of the table into the scene, between \"\"\" and \"\"\".",
+    )
 }
 
 /// Where the name of a table stands in a text, or its end.
@@ -105,15 +136,17 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     if let Some((table, _)) = bodies.iter().find(|(_, value)| has_keys(value)).or(bodies.first()) {
         set_body(scene, name_of(table));
     }
-    set_shape(scene, &file, document)?;
-    set_space(scene, &file, document)?;
-    if document.iter().any(|(table, _)| name_of(table) == seta::TABLE) {
-        seta::begin(scene, bodies.is_empty());
+    take_shape(scene, &file, document)?;
+    place_in_space(scene, &file, document)?;
+    if document.iter().any(|(table, _)| name_of(table) == SETA.name) {
+        begin_seta(scene, bodies.is_empty());
     }
     // what can be asked for depends on whether there is a rate
     let (rate, others): (Vec<&str>, Vec<&str>) =
-        document.iter().map(|(table, _)| name_of(table)).partition(|table| *table == rate::TABLE);
-    rate.into_iter().chain(others).for_each(|table| begin(scene, table));
+        document.iter().map(|(table, _)| name_of(table)).partition(|table| *table == TIME.name);
+    for table in rate.into_iter().chain(others) {
+        KEYS.iter().find(|key| key.table == table).into_iter().for_each(|key| (key.of.begin)(scene));
+    }
     for (key, value) in in_order(document) {
         match value.get_ref() {
             DeValue::Table(table) if tables().contains(&name_of(key)) => {
@@ -152,14 +185,12 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     Ok(given)
 }
 
-/// Gives the scene a table of a study, if this is the name of one.
-fn begin(scene: &mut Scene, table: &str) {
-    match table {
-        optimisation::TABLE => _ = optimisation::of(scene),
-        fit::TABLE => _ = fit::of(scene),
-        uncertainty::TABLE => _ = uncertainty::of(scene),
-        rate::TABLE => _ = rate::of(scene),
-        _ => {}
+/// Makes the scene one with a seta, whose root is moved in space; its tips are spatulae where it names no body.
+fn begin_seta(scene: &mut Scene, without_body: bool) {
+    scene.seta_table();
+    scene.model.space = Some(Space::default());
+    if without_body {
+        set_body(scene, "spatula");
     }
 }
 
@@ -228,7 +259,7 @@ fn in_file(file: &Origin, text: &str, document: &DeTable, conflict: &Conflict) -
 }
 
 /// Gives the substrate the shape that the text names, which says what its other keys mean.
-fn set_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+fn take_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
     let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::Shape(_))) else { return Ok(()) };
     let table = document.iter().find(|(name, _)| name_of(name) == key.table);
     let Some(DeValue::Table(table)) = table.map(|(_, table)| table.get_ref()) else { return Ok(()) };
@@ -237,16 +268,18 @@ fn set_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(),
 }
 
 /// Puts the scene in space where the text says so, or where it says nothing of that and gives a key of space.
-fn set_space(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+fn place_in_space(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
     let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::InSpace)) else { return Ok(()) };
     if let Some((_, value)) = document.iter().find(|(name, _)| name_of(name) == key.name) {
         return store(scene, file, key, value);
     }
+    let is_of_space =
+        |table: &str, name: &str| KEYS.iter().any(|key| key.is_of_space() && key.table == table && key.name == name);
     let implied = document.iter().any(|(table, value)| {
         let keys = value.get_ref().as_table();
-        keys.is_some_and(|keys| keys.iter().any(|(name, _)| space::has(name_of(table), name_of(name))))
+        keys.is_some_and(|keys| keys.iter().any(|(name, _)| is_of_space(name_of(table), name_of(name))))
     });
-    space::set(scene, implied);
+    set_space(scene, implied);
     Ok(())
 }
 
@@ -257,9 +290,9 @@ fn set(scene: &mut Scene, path: &str, value: &str) -> Result<&'static Key, Scene
     let key =
         find_key(path).map_err(|problem| origin.error(0..path.len(), &format!("`{}`", one_line(path)), problem))?;
     if key.is_of_space() {
-        space::set(scene, true);
+        set_space(scene, true);
     }
-    begin(scene, key.table);
+    (key.of.begin)(scene);
     if !key.belongs_to(scene) {
         return Err(origin.error(0..path.len(), &format!("`{}`", key.path()), key.foreign(scene)));
     }
@@ -289,7 +322,7 @@ fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<toml::de::DeStri
     entries
 }
 
-pub(crate) fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
+fn name_of<'a>(key: &'a Spanned<toml::de::DeString>) -> &'a str {
     key.get_ref()
 }
 
@@ -365,4 +398,101 @@ fn place_of(document: &DeTable, path: &str) -> Option<Range<usize>> {
     let (_, table) = document.iter().find(|(name, _)| name_of(name) == in_table)?;
     let DeValue::Table(table) = table.get_ref() else { return None };
     table.iter().find(|(name, _)| name_of(name) == key).map(|(_, value)| value.span())
+}
+
+/// Behind the last character of a text.
+fn end_of(text: &str) -> Range<usize> {
+    let end = text.trim_end().len();
+    end..end
+}
+
+fn not_toml(file: &Origin, text: &str, error: &toml::de::Error) -> SceneError {
+    let span = error.span().unwrap_or_else(|| end_of(text));
+    let reason = error.message().lines().collect::<Vec<_>>().join("; ");
+    let general = "A scene is a TOML file: [table] on a line of its own, below it key = value; \
+                   texts and quantities are in quotes: length = \"100 nm\". `peel new` writes a template.";
+    let comma = value_on_line(text, span.start).and_then(Comma::find);
+    let remedy = match comma {
+        Some(comma) => format!("A number has a decimal point: {}. {general}", one_line(&comma.decimal)),
+        None => general.to_owned(),
+    };
+    file.error(span.clone(), &key_on_line(text, span.start), ValueError::new(format!("is not TOML: {reason}"), remedy))
+}
+
+/// The key that stands on the line of this place in a text that is not TOML, or "this".
+fn key_on_line(text: &str, at: usize) -> String {
+    let key = entry_on_line(text, at).map_or("", |(key, _)| key.trim());
+    let is_key = !key.is_empty() && key.chars().all(|c| c.is_alphanumeric() || "._-".contains(c));
+    if is_key { format!("`{}`", one_line(key)) } else { "this".to_owned() }
+}
+
+/// What stands behind the key on the line of this place.
+fn value_on_line(text: &str, at: usize) -> Option<&str> {
+    entry_on_line(text, at).map(|(_, value)| value.trim())
+}
+
+/// What stands before and behind the sign of equality on the line of this place.
+fn entry_on_line(text: &str, at: usize) -> Option<(&str, &str)> {
+    let start = text.as_bytes()[..at.min(text.len())].iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
+    text.get(start..)?.lines().next()?.split_once('=')
+}
+
+impl Scene {
+    /// The scene as a text with every key that it has a value for, defaults and overrides among them: one line a key, tables in place of the
+    /// files that it names. [`Scene::parse`] makes the same scene of it, but for its `name`.
+    ///
+    /// ```
+    /// use peelkit_scene::Scene;
+    ///
+    /// let text = r#"
+    /// strip = { length = "0.1 um", height = "10 nm", youngs_modulus = "2 GPa" }
+    /// adhesion = { hamaker_constant = "1e-19 J", equilibrium_distance = "0.4 nm" }
+    /// "#;
+    /// let scene = Scene::parse("strip.toml", text, &[])?;
+    /// assert!(scene.to_toml().contains("length = \"100 nm\""));
+    /// assert_eq!(Scene::parse("strip.toml", &scene.to_toml(), &[])?, scene);
+    /// # Ok::<(), peelkit_scene::SceneError>(())
+    /// ```
+    pub fn to_toml(&self) -> String {
+        let mut text = String::new();
+        let mut table = "";
+        for key in KEYS.iter().filter(|key| key.belongs_to(self)) {
+            let Some(value) = key.value(self) else { continue };
+            if key.table != table {
+                table = key.table;
+                let _ = write!(text, "\n[{table}]\n");
+            }
+            let _ = writeln!(text, "{} = {}", key.name, key.written(&value));
+        }
+        text
+    }
+}
+
+impl Key {
+    /// A value as it stands behind the name of the key.
+    fn written(&self, value: &Value) -> toml::Value {
+        match value {
+            Value::Number(number) if self.is_written_whole(*number) => toml::Value::Integer(*number as i64),
+            Value::Number(number) if self.has_unit() => toml::Value::String(format!("{number} {}", self.unit())),
+            value => in_toml(value),
+        }
+    }
+
+    fn has_unit(&self) -> bool {
+        matches!(self.kind, Kind::Measure(..) | Kind::Quantity(..) | Kind::Bound(..))
+    }
+}
+
+fn in_toml(value: &Value) -> toml::Value {
+    match value {
+        Value::Text(text) => toml::Value::String(text.clone()),
+        Value::Number(number) => toml::Value::Float(*number),
+        Value::Flag(flag) => toml::Value::Boolean(*flag),
+        Value::List(items) => toml::Value::Array(items.iter().map(in_toml).collect()),
+        Value::Table(entries) => {
+            toml::Value::Table(entries.iter().map(|(name, value)| (name.clone(), in_toml(value))).collect::<Table>())
+        }
+        // no key of a scene has one
+        Value::Other(what) => toml::Value::String((*what).to_owned()),
+    }
 }

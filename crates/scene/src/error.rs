@@ -1,6 +1,7 @@
 //! What is wrong with a scene, where, and what would be right.
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
+use peelkit::model::ModelError;
 use std::ops::Range;
 
 /// A scene that cannot be used: one message that names the place, the key, what was found and what would be right.
@@ -74,6 +75,12 @@ impl ValueError {
     }
 }
 
+impl From<ModelError> for ValueError {
+    fn from(error: ModelError) -> Self {
+        Self::new(error.found(), error.remedy())
+    }
+}
+
 /// What a user wrote as it stands in a message: on one line and not too long.
 pub(crate) fn one_line(text: &str) -> String {
     const LONGEST: usize = 80;
@@ -125,4 +132,42 @@ fn excerpt(text: &str, span: Range<usize>) -> (String, Range<usize>) {
     let start = text.as_bytes().iter().take(span.start).rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1);
     let line = text.get(start..).and_then(|rest| rest.lines().next()).unwrap_or_default();
     (one_line(line) + "\n", 0..0)
+}
+
+/// Longer words are misspellings of nothing.
+const LONGEST_WORD: usize = 64;
+
+/// The candidate that `word` is most likely a misspelling of, if one is near enough.
+pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = word.chars().count();
+    // the comparison takes time and memory in proportion to the word, and no name is as long
+    if length > LONGEST_WORD {
+        return None;
+    }
+    let word = word.to_lowercase();
+    let slips = 1 + length / 4;
+    let slips_to = |candidate: &str| strsim::damerau_levenshtein(&word, &candidate.to_lowercase());
+    // Two short words are never far apart: more than half of the word has to be right.
+    let near_enough = |slip: usize, candidate: &str| slip <= slips && 2 * slip < candidate.chars().count().max(2);
+    candidates
+        .into_iter()
+        .map(|candidate| (slips_to(candidate), candidate))
+        .filter(|&(slip, candidate)| near_enough(slip, candidate))
+        .min_by_key(|&(slip, _)| slip)
+        .map(|(_, candidate)| candidate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn finds_slips_and_leaves_the_rest_alone() {
+        let words = ["length", "height", "width"];
+        assert_eq!(nearest("lenght", words), Some("length"));
+        assert_eq!(nearest("Height", words), Some("height"));
+        assert_eq!(nearest("colour", words), None);
+        assert_eq!(nearest("", words), None);
+        assert_eq!(nearest(&"length".repeat(1_000_000), words), None);
+    }
 }

@@ -6,43 +6,36 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
-mod bodies;
-mod check;
+mod body;
 mod conflict;
 mod document;
 mod error;
-mod form;
 mod key;
 mod keys;
-mod near;
-mod not_toml;
-mod parameters;
 mod scene;
 mod schema;
-mod shape;
-mod space;
+mod studies;
 mod tables;
-mod to_toml;
 mod value;
-mod without_files;
 
-pub use bodies::{BODIES, body_of};
+pub use body::{BODIES, body_of};
 pub use error::{SceneError, ValueError};
-pub use form::{Entry, Form};
-pub use key::Key;
-pub use key::kind::{Kind, Need, Setting};
+pub use key::kind::{Key, Kind, Need, Setting};
+pub use key::table::Table;
 pub use keys::{KEYS, find_key, tables};
-pub use parameters::Parameters;
+
 pub use peelkit::model::Range;
+pub use scene::bounds::BoundsTable;
+pub use scene::rate::{Flow, TimeTable};
+pub use scene::seta::{SetaTable, SetaTipLaw};
+pub use scene::studies::{
+    CorrelatedKeys, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey, UncertaintyTable,
+    VolumeRule,
+};
 pub use scene::{Scene, TableTexts};
 pub use schema::schema;
-pub use tables::bounds::BoundsTable;
-pub use tables::fit::{FitTable, FittedKey};
-pub use tables::optimisation::{FreeKey, FreeProfile, OptimisationTable, VolumeRule};
-pub use tables::rate::{Flow, TimeTable};
-pub use tables::seta::SetaTable;
-pub use tables::tips::SetaTipLaw;
-pub use tables::uncertainty::{CorrelatedKeys, UncertainKey, UncertaintyTable};
+pub use studies::parameters::Parameters;
 pub use value::Value;
+pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};
 pub use value::table::{CsvError, parse_heights, parse_profile};

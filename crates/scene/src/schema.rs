@@ -4,13 +4,11 @@
 //! It is made from [`KEYS`], and refuses nothing that [`Scene::parse`](crate::Scene::parse) takes. It sees less: not whether one number fits
 //! another, nor the powers of a product of units.
 
-use super::bodies::BODIES;
-use super::form::{Entry, Form};
-use super::key::Key;
-use super::key::kind::Need;
-use super::keys::{KEYS, tables};
-use super::shape;
-use super::tables::{fit, rate, seta, uncertainty};
+use crate::body::{BODIES, shape_has};
+use crate::key::kind::{Key, Need};
+use crate::key::table::{SETA, SUBSTRATE};
+use crate::keys::{KEYS, tables};
+use crate::value::form::{Entry, Form};
 use peelkit::adhesion::Substrate;
 use peelkit::model::Range;
 use serde_json::{Map, Value, json};
@@ -28,12 +26,12 @@ pub fn schema() -> Value {
         ["strip", "spatula"],
         ["strip", "profile"],
         ["spatula", "profile"],
-        [seta::TABLE, "strip"],
-        [seta::TABLE, "profile"],
+        [SETA.name, "strip"],
+        [SETA.name, "profile"],
     ];
     let apart: Vec<Value> = pairs.iter().map(|pair| json!({ "not": { "required": pair } })).collect();
     let of_a_body = |body: &str| json!({ "required": [body] });
-    let one: Vec<Value> = BODIES.iter().copied().chain([seta::TABLE]).map(of_a_body).collect();
+    let one: Vec<Value> = BODIES.iter().copied().chain([SETA.name]).map(of_a_body).collect();
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "a scene of peelkit",
@@ -55,13 +53,13 @@ fn table(name: &str) -> Value {
     let properties: Map<String, Value> = keys_of(name).map(|key| (key.name.to_owned(), described(key))).collect();
     let mut schema = json!({
         "type": "object",
-        "description": about(name),
+        "description": keys_of(name).next().map(|key| key.of.about),
         "properties": properties,
         "additionalProperties": false,
     });
     let needed = |key: &&Key| key.need == Need::Required;
     match name {
-        shape::TABLE => schema["allOf"] = shapes(),
+        name if name == SUBSTRATE.name => schema["allOf"] = shapes(),
         // a cohesive law with its work and its strength needs nothing of the half space
         "adhesion" => {
             let half_space: Vec<&str> = keys_of(name).filter(needed).map(|key| key.name).collect();
@@ -85,35 +83,13 @@ fn table(name: &str) -> Value {
     schema
 }
 
-/// What a table is for.
-fn about(table: &str) -> &'static str {
-    match table {
-        "strip" => "A uniform strip.",
-        "spatula" => "A gecko's spatula: a flat pad on a round, bent shaft.",
-        "profile" => "A beam of any outline.",
-        seta::TABLE => "A gecko's seta: a shaft that forks into spatulae.",
-        "adhesion" => "What attracts the beam: van der Waals forces, or a cohesive law.",
-        shape::TABLE => "What the beam lies on.",
-        "friction" => "What holds the beam along the ground.",
-        "grip" => "What holds the right end, which is pulled.",
-        "drive" => "Where the grip goes, and what it does before.",
-        rate::TABLE => "A pull at a rate, by peel run and peel sweep.",
-        "accuracy" => "How accurate the results are to be, and by what elements and steps.",
-        "path" => "As far as what the path is followed.",
-        "bounds" => "Where a computation stops at the latest.",
-        fit::TABLE => "What peel fit determines.",
-        uncertainty::TABLE => "What peel uncertainty samples.",
-        _ => "What peel optimise seeks.",
-    }
-}
-
 /// Which keys each shape of the substrate has, and which of them it needs.
 fn shapes() -> Value {
     let is = |name: &str| json!({ "properties": { "shape": { "const": name } }, "required": ["shape"] });
     let keys = |substrate: &Substrate| {
         let own: Vec<&str> =
-            keys_of(shape::TABLE).map(|key| key.name).filter(|name| shape::has(substrate, name)).collect();
-        let needed = |name: &&&str| keys_of(shape::TABLE).any(|key| key.name == **name && key.need == Need::Required);
+            keys_of(SUBSTRATE.name).map(|key| key.name).filter(|name| shape_has(substrate, name)).collect();
+        let needed = |name: &&&str| keys_of(SUBSTRATE.name).any(|key| key.name == **name && key.need == Need::Required);
         let required: Vec<&str> = own.iter().filter(needed).copied().collect();
         json!({ "propertyNames": { "enum": own }, "required": required })
     };
@@ -147,6 +123,7 @@ fn of(form: &Form) -> Value {
             let one = of(one);
             json!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
         }
+        Form::Either(one, other) => json!({ "anyOf": [of(one), of(other)] }),
         Form::List(one) => json!({ "type": "array", "items": of(one) }),
         Form::Table(entries) => entries_of(entries),
         Form::Step(words) => json!({ "type": "string", "pattern": format!("^\\s*(?:{})\\b", words.join("|")) }),

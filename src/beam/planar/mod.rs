@@ -1,7 +1,6 @@
 //! The planar beam: energy densities with and without adhesion, elements, chains of them, and the system that they make.
 pub(crate) mod chain;
 pub(crate) mod density;
-pub(crate) mod friction_history;
 pub(crate) mod model_end;
 pub(crate) mod model_limits;
 pub(crate) mod planar_beam;

@@ -10,8 +10,7 @@ use crate::beam::element::integration::ElementEnergy;
 use crate::beam::mesh::{MeshKind, nodal_lengths};
 use crate::beam::planar::planar_beam::{FRONT, TIP_ROTATION};
 use crate::solve::error::SolveError;
-use crate::solve::observables::MONITORS;
-use crate::solve::state::{Mesh, State};
+use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::system::{
     Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown,
 };

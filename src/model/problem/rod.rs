@@ -6,7 +6,7 @@ use crate::adhesion::section::barrier::Barrier;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::mesh::{MeshIntervals, MeshKind, MeshPolicy};
 use crate::beam::planar::chain::MOST_FIELDS;
-use crate::beam::planar::density::rod::ReissnerRod;
+use crate::beam::planar::density::reissner::ReissnerRod;
 use crate::beam::planar::model_limits::ModelLimits;
 use crate::beam::planar::planar_beam::{FrontPosition, PlanarBeam};
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve};

@@ -1,7 +1,6 @@
 //! What of a seta cannot be computed.
 
-use super::mesh::SetaMesh;
-use super::parameters::Seta;
+use super::parameters::{Seta, SetaMesh};
 use crate::beam::element::basis::MOST_ORDER;
 use crate::beam::spatial::tree::branching_beam::TreeError;
 use crate::model::check::error::Range;

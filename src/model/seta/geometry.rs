@@ -4,8 +4,7 @@
 //! joints 2ᵏ to 2ᵏ⁺¹ - 1 are those behind k forks, and the last of these joints are the tips.
 
 use super::check::SetaError;
-use super::mesh::SetaMesh;
-use super::parameters::Seta;
+use super::parameters::{Seta, SetaMesh};
 use crate::beam::spatial::rotation::Quaternion;
 use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
 use crate::beam::spatial::tree::branching_beam::{Branch, BranchingBeam};

@@ -4,7 +4,7 @@
 //! A tip that is detached adheres again when it comes back into contact. So the law has a memory, the branch, and on each branch an energy.
 
 use crate::beam::spatial::rotation::Quaternion;
-use crate::beam::spatial::tree::branching_beam::EndResponse;
+use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse};
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -53,5 +53,51 @@ pub trait TipLaw: Send + Sync + Debug {
     /// The law of a tip that has these directors in the stress-free configuration of the seta; none where rotations are of no account.
     fn oriented(&self, _rest: Quaternion) -> Option<Arc<dyn TipLaw>> {
         None
+    }
+}
+
+// -- A tip on a branch of its law, as an energy of a joint --
+
+/// A tip on a branch of its law.
+#[derive(Clone, Debug)]
+pub struct AdheringTip {
+    /// Its law
+    pub law: Arc<dyn TipLaw>,
+    /// The branch that it is on
+    pub on: TipBranch,
+    /// Its place of adhesion, nm: where its end is when nothing pulls it
+    pub foot: [f64; 3],
+}
+
+impl AdheringTip {
+    /// Place of its end from its place of adhesion, nm.
+    fn offset(&self, place: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| place[i] - self.foot[i])
+    }
+
+    /// The branch that it goes on by with its end at a place, nm.
+    pub fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
+        self.law.branch(self.on, self.offset(place), directors)
+    }
+
+    /// Whether it goes on adhering, or begins to, with its end at a place, nm.
+    pub fn adheres(&self, place: [f64; 3], directors: Quaternion) -> bool {
+        self.law.adheres(self.on, self.offset(place), directors)
+    }
+
+    /// Whether its law is known with its end at a place, nm, and no extrapolation.
+    pub fn is_known(&self, place: [f64; 3], directors: Quaternion) -> bool {
+        self.law.is_known(self.on, self.offset(place), directors)
+    }
+
+    /// Takes note that it, the tip of this number, is in equilibrium with its end at a place, nm.
+    pub fn note(&self, tip: usize, place: [f64; 3], directors: Quaternion) {
+        self.law.note(tip, self.on, self.offset(place), directors);
+    }
+}
+
+impl EndEnergy for AdheringTip {
+    fn response(&self, place: [f64; 3], directors: Quaternion) -> EndResponse {
+        self.law.response(self.on, self.offset(place), directors)
     }
 }

@@ -5,16 +5,14 @@
 //! observable measured by its own recent changes.
 
 use super::metric::{Metric, Notice};
-use super::near_branch::{NearBranch, StepSeen, leads_elsewhere};
+use super::near_branch::{NearBranch, StepSeen, leads_elsewhere, settled};
 use super::options::{PathError, PathOptions, Waypoint};
 use super::predictor::MOST_POINTS;
-use super::settling::settled;
 use super::{near_branch, predictor};
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve, solve_warily};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::{History, State};
+use crate::solve::state::{History, Observables, PathConstraint, State};
 use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 use std::vec;

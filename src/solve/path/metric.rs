@@ -1,7 +1,7 @@
 //! What a path is measured by: units of its observables.
 
-use crate::solve::observables::{MONITORS, Observables};
 use crate::solve::problem::Problem;
+use crate::solve::state::{MONITORS, Observables};
 use serde::{Deserialize, Serialize};
 
 /// Changes of an observable below this share of its scale do not measure a path.

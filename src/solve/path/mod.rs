@@ -1,5 +1,4 @@
 //! Paths of equilibria: stepped, predicted, interpolated.
-pub(crate) mod control;
 pub(crate) mod equilibrium_path;
 pub(crate) mod hermite;
 mod metric;
@@ -7,4 +6,3 @@ pub(crate) mod near_branch;
 pub(crate) mod options;
 pub(crate) mod predictor;
 pub(crate) mod segment;
-mod settling;

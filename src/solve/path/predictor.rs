@@ -6,9 +6,8 @@
 
 use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
-use crate::solve::observables::MONITORS;
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{MONITORS, State};
 use std::sync::Arc;
 
 /// The most points an extrapolation uses.

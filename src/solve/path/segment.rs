@@ -4,9 +4,8 @@ use super::hermite::Hermite;
 use super::metric::{Metric, Notice};
 use super::predictor::{combine, lagrange_weights};
 use crate::solve::newton::Solution;
-use crate::solve::observables::Observables;
 use crate::solve::problem::Problem;
-use crate::solve::state::{History, State};
+use crate::solve::state::{History, Observables, State};
 use std::ops::Range;
 use std::sync::Arc;
 

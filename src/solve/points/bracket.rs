@@ -1,7 +1,7 @@
 //! Which steps of a path hold limit points.
 
-use super::kind::LimitPointKind;
 use super::locate::{ROUGH, slope_at, solve_on, step_to};
+use super::search::LimitPointKind;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::path::hermite::Hermite;

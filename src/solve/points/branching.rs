@@ -4,9 +4,8 @@
 use super::locate::Located;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 

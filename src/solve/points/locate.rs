@@ -1,12 +1,11 @@
 //! Limit points of the path, located and not sampled, with a bound on their error from half as many elements again.
 
-use super::kind::LimitPointKind;
-use super::search::{BendRule, Bends, LimitPointSearch};
+use super::search::{BendRule, Bends, LimitPointKind, LimitPointSearch};
 use crate::solve::error::SolveError;
-use crate::solve::newton::{FINE, NewtonOptions, SINGULAR, Solution, slopes, solve};
-use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::newton::{NewtonOptions, Solution, on_more_elements, slopes, solve};
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::{Pace, Workspace};
 use std::sync::Arc;
 
@@ -377,19 +376,4 @@ pub fn difference_on_more_elements(
     ws: &mut Workspace,
 ) -> Result<Observables, SolveError> {
     Ok(on_more_elements(problem, coarse, Observables::DISPLACEMENT, ws)?.observables.since(&coarse.observables))
-}
-
-/// The solution on half as many elements again with the same `weights` · observables.
-pub fn on_more_elements(
-    problem: &Problem,
-    coarse: &Solution,
-    weights: Observables,
-    ws: &mut Workspace,
-) -> Result<Solution, SolveError> {
-    let constraint = PathConstraint { weights, target: weights.dot(&coarse.observables) };
-    let solved = |tolerance, ws: &mut Workspace| {
-        solve(problem, problem.system.refined(&coarse.at), &constraint, &options(tolerance, true), ws)
-    };
-    // next to a singular point round-off is larger, and shows in the difference
-    solved(FINE, ws).or_else(|_| solved(SINGULAR, ws))
 }

@@ -1,7 +1,6 @@
 //! Points of a path at which something happens: which steps hold them, where they are, how wrong that may be.
 pub(crate) mod bracket;
 pub(crate) mod branching;
-pub(crate) mod kind;
 pub(crate) mod locate;
 pub(crate) mod search;
 pub(crate) mod tracer;

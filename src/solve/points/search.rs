@@ -11,13 +11,12 @@
 //! Newton's step is taken by blocks: first at fixed σ, then a = -g/(dg/dσ) along t. dg/dσ is a secant of the last two solves, or a
 //! difference of g over a short way along t, which takes one more elimination; where a is next to nothing that of a neighbour serves.
 
-use super::kind::LimitPointKind;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{FINE, NewtonOptions, Solution, slopes, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
+use std::fmt;
 
 /// Most solves until a limit point is located.
 const MOST_SOLVES: usize = 8;
@@ -245,5 +244,51 @@ fn extrapolated(solution: &Solution, ahead: f64, bends: Bends) -> Observables {
         force: o.force + ahead * (s.force + 0.5 * ahead * bends.force),
         recorded: o.recorded + ahead * s.recorded,
         roll: o.roll + ahead * s.roll,
+    }
+}
+
+// -- Which quantity turns at a limit point --
+
+/// Which quantity has a limit point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+pub enum LimitPointKind {
+    /// du = 0
+    Displacement,
+    /// dP = 0
+    Load,
+}
+
+impl LimitPointKind {
+    /// The other quantity.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Displacement => Self::Load,
+            Self::Load => Self::Displacement,
+        }
+    }
+
+    /// The quantity.
+    pub fn pick(self) -> fn(&Observables) -> f64 {
+        match self {
+            Self::Displacement => |o| o.displacement,
+            Self::Load => |o| o.force,
+        }
+    }
+
+    /// Negative eigenvalues of a solution with this quantity held.
+    pub fn negative(self, solution: &Solution) -> usize {
+        match self {
+            Self::Displacement => solution.negative,
+            Self::Load => solution.negative_load,
+        }
+    }
+}
+
+impl fmt::Display for LimitPointKind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match self {
+            Self::Displacement => "displacement",
+            Self::Load => "force",
+        })
     }
 }

@@ -2,12 +2,10 @@
 
 use super::drive::Drive;
 use super::dynamic_system::{DynamicProblem, EnergyBalance, MaterialRate};
-use super::extrapolation::{backward_differences, extrapolation, integral};
 use super::rule::{GeneralisedAlpha, Motion};
-use super::step::{Prescribed, Step, Taken};
+use super::step::{Prescribed, Step, Taken, backward_differences, extrapolation, integral};
 use crate::solve::error::SolveError;
-use crate::solve::observables::MONITORS;
-use crate::solve::state::State;
+use crate::solve::state::{MONITORS, State};
 use crate::solve::workspace::Workspace;
 use std::collections::VecDeque;
 

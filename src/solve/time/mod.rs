@@ -1,7 +1,6 @@
 //! Motion in time of any [`DynamicSystem`]: the generalised-α rule, steps by their error, by stability and by events.
 pub(crate) mod drive;
 pub(crate) mod dynamic_system;
-mod extrapolation;
 pub(crate) mod integrator;
 pub(crate) mod rule;
 mod step;

@@ -1,9 +1,8 @@
 //! A table where it is good enough, and the spatula itself where it is not: at the tips that ask for a place outside of the table, and at all where
 //! its error is above what is allowed.
 
-use super::branch::TipSheet;
-use super::error::{CoarseningError, HeldError};
-use super::place::{TipPlace, TipResponse};
+use super::columns::TipSheet;
+use super::options::{CoarseningError, HeldError, TipPlace, TipResponse};
 use super::run::Coarsening;
 use super::table::TipTable;
 

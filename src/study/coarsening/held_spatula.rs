@@ -3,20 +3,18 @@
 //! Equilibrium minimises Π over all unknowns but these three; then E(u, v, θ) = min Π, ∂E/∂(u, v, θ) is the residual of the equations of the end,
 //! and ∂²E/∂(u, v, θ)² what is left of the tangent when all else is eliminated.
 
-use super::error::HeldError;
-use super::place::{PadEnd, TipPlace, TipResponse};
+use super::options::{HeldError, PadEnd, TipPlace, TipResponse};
 use crate::model::peel::{Form, Grip, Hold, PeelModel, Pull};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::{Coefficients, INTERFACE};
 use crate::solve::workspace::{ShouldStop, Workspace};
-use crate::study::accuracy::{Accuracy, Resolution};
+use crate::study::asked::accuracy::{Accuracy, Resolution};
 use crate::study::initial::prepared::{Prepared, prepared};
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].

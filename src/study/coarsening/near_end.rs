@@ -10,18 +10,19 @@
 //! A spatula is solved from an equilibrium that depends on its place alone, in the middle of a cell of θ and d: what comes out does not
 //! depend on what was solved before.
 
-use super::branch::{BranchStart, TipSheet};
-use super::column::Column;
-use super::error::{CoarseningError, HeldError};
+use super::columns::{BranchStart, Column, TipSheet};
 use super::held_spatula::HeldState;
-use super::jet::Jet;
-use super::options::CoarseningOptions;
-use super::place::{PadEnd, TipPlace, TipResponse};
+use super::options::{CoarseningError, CoarseningOptions, HeldError, PadEnd, TipPlace, TipRange, TipResponse};
 use super::run::Coarsening;
+use super::spline::Jet;
 use super::table::TipTable;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::tree::branching_beam::EndResponse;
 use crate::model::peel::PeelModel;
-use std::collections::BTreeMap;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Tips go over from table to spatula between D and this many times D.
@@ -173,6 +174,154 @@ fn held_off(depth: f64) -> [f64; 3] {
     let t = (depth / whole).max(0.0);
     let [slope, bend, _] = rise(t);
     [NEAREST + whole * t.powi(4) * (2.5 + t * (t - 3.0)), slope, bend / whole]
+}
+
+// -- Where outside of a table the tips of a seta have been in equilibrium: it says how far the table has to grow --
+
+/// How far a table grows, over what was asked of it.
+const ROOM: f64 = 1.1;
+
+/// Where outside of a table tips have been in equilibrium.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Visited {
+    /// The tips that were outside of it, by number
+    pub outside: BTreeSet<usize>,
+    /// By how much a tip was pressed farther than where the attached branch begins, at most, nm
+    pub pressed: f64,
+    /// The smallest and the largest v outside of the table, nm; zeros where the pad slides
+    pub lateral: [f64; 2],
+    /// The smallest and the largest θ outside of the table, rad
+    pub rotation: [f64; 2],
+    /// The tips that were solved as spatulae
+    pub resolved: Resolved,
+}
+
+/// Tips that were solved as spatulae near the end of their branch, and what that changed in equilibria of the seta.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Resolved {
+    /// The tips, by number
+    pub tips: BTreeSet<usize>,
+    /// The largest change of the normal force of a tip against its table, nN
+    pub force: f64,
+    /// The same of the moment, nN·nm
+    pub moment: f64,
+    /// The tips of which no spatula was found in an equilibrium of the seta: they followed the table there
+    pub unsolved: BTreeSet<usize>,
+}
+
+impl Visited {
+    /// A range that holds what another one does and, with some room, where tips have been.
+    pub fn widened(&self, range: &TipRange) -> TipRange {
+        let wider = |[from, to]: [f64; 2], [low, high]: [f64; 2]| [from.min(ROOM * low), to.max(ROOM * high)];
+        TipRange {
+            press: range.press + ROOM * self.pressed,
+            lateral: wider(range.lateral, self.lateral),
+            rotation: wider(range.rotation, self.rotation),
+        }
+    }
+}
+
+/// The same while a seta is pulled off.
+#[derive(Debug, Default)]
+pub(super) struct Visits(Mutex<Visited>);
+
+impl Visits {
+    /// What is known already.
+    pub fn new(visited: Visited) -> Self {
+        Self(Mutex::new(visited))
+    }
+
+    /// A tip is in equilibrium at a place of a table.
+    pub fn note(&self, table: &TipTable, tip: usize, on: TipSheet, place: TipPlace) {
+        if table.contains(on, place) {
+            return;
+        }
+        let mut visited = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        visited.outside.insert(tip);
+        let widened = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
+        if table.options.pad_end == PadEnd::Held {
+            visited.lateral = widened(visited.lateral, place.lateral);
+        }
+        visited.rotation = widened(visited.rotation, place.rotation);
+        if on == TipSheet::Attached {
+            visited.pressed = visited.pressed.max(table.attached.ends(place)[0] - place.normal);
+        }
+    }
+
+    /// A tip is in equilibrium, and has been solved as a spatula before or not.
+    pub fn note_resolved(&self, tip: usize, source: Source, solved: bool) {
+        if !solved && source != Source::Unsolved {
+            return;
+        }
+        let resolved = &mut self.0.lock().unwrap_or_else(PoisonError::into_inner).resolved;
+        if solved {
+            resolved.tips.insert(tip);
+        }
+        match source {
+            Source::Table => {}
+            Source::Spatula([force, moment]) => {
+                resolved.force = resolved.force.max(force.abs());
+                resolved.moment = resolved.moment.max(moment.abs());
+            }
+            Source::Unsolved => drop(resolved.unsolved.insert(tip)),
+        }
+    }
+
+    /// What was noted so far.
+    pub fn get(&self) -> Visited {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+// -- What a tip was asked last: a state of the seta is asked for its forces, its energy and its stiffness one after the other --
+
+/// Where a tip is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Asked {
+    pub on: TipSheet,
+    /// From its place of adhesion, nm
+    pub place: [f64; 3],
+    pub directors: Quaternion,
+}
+
+/// What its law says there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Answer {
+    pub source: Source,
+    /// In its plane
+    pub in_plane: TipResponse,
+    /// In space
+    pub in_space: EndResponse,
+}
+
+/// The last two answers of a tip: those at both ends of a step.
+#[derive(Debug, Default)]
+pub(super) struct Answers {
+    last: Mutex<[Option<(Asked, Answer)>; 2]>,
+    solved: AtomicBool,
+}
+
+impl Answers {
+    /// The answer that is known, or the one that is found.
+    pub fn get(&self, asked: Asked, find: impl FnOnce() -> Answer) -> Answer {
+        let lock = || self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = lock().iter().flatten().find(|(own, _)| *own == asked) {
+            return *known;
+        }
+        let found = find();
+        if matches!(found.source, Source::Spatula(_)) {
+            self.solved.store(true, Ordering::Relaxed);
+        }
+        let mut last = lock();
+        last.swap(0, 1);
+        last[0] = Some((asked, found));
+        found
+    }
+
+    /// Whether an answer has come from the spatula.
+    pub fn was_solved(&self) -> bool {
+        self.solved.load(Ordering::Relaxed)
+    }
 }
 
 #[cfg(test)]

@@ -12,10 +12,8 @@
 //! the same force. K0 is ten times the largest force over the length of the branch in u.
 
 use super::columns::Columns;
-use super::error::HeldError;
-use super::place::TipPlace;
-use super::sheet::Sheet;
-use super::sheet_table::{SheetNode, SheetTable};
+use super::options::{HeldError, TipPlace};
+use super::sheet::{Sheet, SheetNode, SheetTable};
 use serde::{Deserialize, Serialize};
 
 /// What errors are measured by: the largest force, nN, the largest moment, nN·nm, and K0, nN/nm.

@@ -1,17 +1,13 @@
 //! A table under way: its columns are kept, so that it can grow, and the spatula itself can be solved at a place of a tip.
 
-use super::branch::{BranchStart, TipSheet};
-use super::columns::Columns;
-use super::error::{CoarseningError, HeldError};
+use super::columns::{BranchStart, Columns, TipSheet};
 use super::held_spatula::HeldSpatula;
-use super::options::CoarseningOptions;
-use super::place::{PadEnd, TipPlace, TipResponse};
+use super::options::{CoarseningError, CoarseningOptions, HeldError, PadEnd, TipPlace, TipResponse, refuse};
 use super::refine::{Grid, Refined, Wanted, refined};
-use super::refused::refuse;
 use super::table::TipTable;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
-use crate::study::stop_criteria::{Bound, Stage, StopCriteria};
+use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 
 /// A spatula whose table is made, widened and refined.
 pub struct Coarsening {

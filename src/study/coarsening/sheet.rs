@@ -12,11 +12,9 @@
 //! Before s = 0 the branch goes on in another way (before.rs). Next to the limit point, s > s_c = 0.9998, and beyond it, κ (s - s_c)³ is added to U and as many times the mean force there to Ê: then the branch has an
 //! energy a little beyond its end as well, with a force near to that at the limit.
 
-use super::before::{decaying, straight};
-use super::jet::Jet;
-use super::place::{TipPlace, TipResponse};
-use super::sheet_table::{SheetNode, SheetTable};
-use super::spline::{Basis, PiecePolynomial, SUPPORT, SplineAxis};
+use super::options::{TipPlace, TipResponse};
+use super::spline::{Basis, Jet, PiecePolynomial, SUPPORT, SplineAxis};
+use serde::{Deserialize, Serialize};
 
 /// Where a branch ends, at one v and θ.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -392,4 +390,83 @@ fn coefficients(axes: &[SplineAxis; 3], numbers: Vec<f64>) -> Vec<f64> {
         }
     }
     out
+}
+
+// -- The nodes of one branch of a table --
+
+/// A node of a sheet: an equilibrium that was solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SheetNode {
+    /// u, nm
+    pub normal: f64,
+    /// ∂u/∂s, nm
+    pub slope: f64,
+    /// E, aJ
+    pub energy: f64,
+    /// ∂E/∂(u, v, θ), nN, nN and nN·nm
+    pub force: [f64; 3],
+    /// Length of the pad that adheres: energy of adhesion over that of a unit length of its free end at rest, nm
+    pub adhering: f64,
+}
+
+/// The nodes of one branch.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SheetTable {
+    /// s from 0 to 1, ascending
+    pub path: Vec<f64>,
+    /// v, nm, ascending; one where the pad slides
+    pub lateral: Vec<f64>,
+    /// θ, rad, ascending
+    pub rotation: Vec<f64>,
+    /// By v, then θ, then s
+    pub nodes: Vec<SheetNode>,
+}
+
+impl SheetTable {
+    /// The nodes along s of a column.
+    pub fn column(&self, lateral: usize, rotation: usize) -> &[SheetNode] {
+        let length = self.path.len();
+        &self.nodes[(lateral * self.rotation.len() + rotation) * length..][..length]
+    }
+
+    /// The limit points of its columns, with their places.
+    pub fn limits(&self) -> impl Iterator<Item = (TipPlace, &SheetNode)> + '_ {
+        let last = self.path.len() - 1;
+        (0..self.lateral.len()).flat_map(move |v| {
+            (0..self.rotation.len()).map(move |t| {
+                let node = &self.column(v, t)[last];
+                (TipPlace { normal: node.normal, lateral: self.lateral[v], rotation: self.rotation[t] }, node)
+            })
+        })
+    }
+}
+
+// -- A branch before its begin: an energy of u, v and θ that goes on from there as a function that is twice differentiable, once where it decays --
+//
+// With U, U_s, U_ss and Ê, Ê_s, Ê_ss at s = 0, all functions of v and θ, and w = u - U,
+//
+// P0 = Ê_s/U_s,  K0 = (Ê_ss - P0 U_ss)/U_s².
+//
+// Pressed farther than the table goes, the tip is as stiff as where that begins: E = Ê + P0 w + ½ K0 w². Farther away than where the detached
+// branch begins, its attraction falls off to zero: E = Ê (1 + w P0/(3 Ê))³ up to where that is zero.
+
+/// The displacement less that at the begin.
+fn beyond(begin: Jet, normal: f64) -> Jet {
+    Jet::coordinate(normal, 0) - begin
+}
+
+/// With the stiffness at the begin: of U and Ê with their derivatives by s.
+pub(super) fn straight(u: [Jet; 3], e: [Jet; 3], normal: f64) -> Jet {
+    let force = e[1] / u[1];
+    let stiffness = (e[2] - force * u[2]) / (u[1] * u[1]);
+    let w = beyond(u[0], normal);
+    e[0] + (force + stiffness * w * 0.5) * w
+}
+
+/// Down to zero.
+pub(super) fn decaying(u: [Jet; 3], e: [Jet; 3], normal: f64) -> Jet {
+    let share = beyond(u[0], normal) * (e[1] / u[1]) / (e[0] * 3.0);
+    let left = Jet { value: 1.0 + share.value, ..share };
+    // none is left, and where there is no attraction none was
+    if left.value > 0.0 && left.value <= 1.0 { e[0] * left.cube() } else { Jet::default() }
 }

@@ -1,8 +1,7 @@
 //! The table of a tip: both branches of a spatula, with their errors and where they come from.
 
-use super::branch::TipSheet;
-use super::options::CoarseningOptions;
-use super::place::{PadEnd, TipPlace, TipResponse};
+use super::columns::TipSheet;
+use super::options::{CoarseningOptions, PadEnd, TipPlace, TipResponse};
 use super::refine::{SheetErrors, TipScales};
 use super::sheet::Sheet;
 use nalgebra::{Matrix3, Vector3};

@@ -1,17 +1,17 @@
 //! A jump with its numbers and the bounds on their errors.
 
-use super::balance::LoadingDirection;
 use super::result::{Jump, JumpEnd, JumpKind};
-use super::stable_branch::Machine;
+use super::stable_branch::{LoadingDirection, Machine};
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
-use crate::solve::observables::Observables;
-use crate::solve::points::locate::{Located, on_more_elements};
+use crate::solve::newton::on_more_elements;
+use crate::solve::points::locate::Located;
 use crate::solve::relax::{Relaxed, relaxed_on_more_elements};
+use crate::solve::state::Observables;
 use crate::solve::workspace::Workspace;
-use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
-use crate::study::peel::adhering::Adhering;
+use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor, least};
+use crate::study::peel::contact::Adhering;
 
 /// From where stability is lost to where the strip comes to rest.
 pub(super) fn described(

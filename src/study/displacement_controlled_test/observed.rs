@@ -4,9 +4,9 @@ use super::result::Observed;
 use super::run::{Course, run};
 use crate::model::check::error::ModelError;
 use crate::model::peel::PeelModel;
-use crate::study::accuracy::Accuracy;
-use crate::study::peeling::checked;
-use crate::study::stop_criteria::StopCriteria;
+use crate::study::asked::accuracy::Accuracy;
+use crate::study::asked::stop_criteria::StopCriteria;
+use crate::study::terms::term_selection::checked;
 
 /// Why a scene has no test.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -1,10 +1,8 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
-use super::balance::{Balance, LoadingDirection};
-use super::failure::TestFailure;
-use super::model_limit::LeftModel;
-use crate::study::peel::adhering::Adhering;
-use crate::study::stop_criteria::Bound;
+use super::stable_branch::{Balance, LeftModel, LoadingDirection, TestFailure};
+use crate::study::asked::stop_criteria::Bound;
+use crate::study::peel::contact::Adhering;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

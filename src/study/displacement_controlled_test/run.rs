@@ -1,12 +1,12 @@
 //! The run behind [`super::observed`]: retreat, jump, approach, jump, on a mesh from the accuracy asked for, and on a finer one
 //! where the errors of the jumps say so.
 
-use super::balance::{Balance, LoadingDirection};
-use super::failure::{MOST_JUMPS, TestError, TestFailure};
 use super::jump;
-use super::model_limit::{LeftModel, ModelLimit};
 use super::result::{Elsewhere, Jump, Observed, PullOff, TestEffort, TestEnd, TestPoint};
-use super::stable_branch::{BranchEnd, Machine, StableBranch, Until};
+use super::stable_branch::{
+    Balance, BranchEnd, LeftModel, LoadingDirection, MOST_JUMPS, Machine, ModelLimit, StableBranch, TestError,
+    TestFailure, Until,
+};
 use crate::beam::mesh::MeshKind;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::{Form, PeelModel};
@@ -19,13 +19,12 @@ use crate::solve::problem::{EndConditions, MeasuredBeside};
 use crate::solve::relax::{Held, RelaxOptions, disturbed, disturbed_anyhow, relax};
 use crate::solve::state::State;
 use crate::solve::workspace::{Pace, Workspace};
-use crate::study::accuracy::{Accuracy, Choice, Resolution, most_elements};
-use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
+use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
+use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
+use crate::study::asked::stop_criteria::{Stage, StopCriteria};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
-use crate::study::peel::adhering::Adhering;
-use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
-use crate::study::stop_criteria::{Stage, StopCriteria};
+use crate::study::peel::contact::Adhering;
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.

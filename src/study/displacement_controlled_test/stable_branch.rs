@@ -1,22 +1,26 @@
 //! One stable piece of a test: from an equilibrium on until it is lost or the machine has arrived.
 
-use super::failure::{BranchError, TestError};
+use crate::beam::planar::model_end::CollapsedSection;
+use crate::beam::planar::model_limits::BondedLoss;
 use crate::model::problem::beam_problem::{Beam, BeamProblem};
+use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::{Located, locate};
-use crate::solve::points::tracer::{PathEvent, PathTracer, TraceOptions};
+use crate::solve::points::search::LimitPointKind;
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::relax::RelaxError;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
-use crate::study::peel::adhering::Adhering;
+use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
+use crate::study::initial::error::NoEquilibrium;
+use crate::study::peel::contact::Adhering;
 use crate::study::peel::equilibrium_path::path_end::is_clear;
-use crate::study::peel::step_curve::StepCurve;
-use crate::study::stop_criteria::{Bound, Stage, StopCriteria};
+use crate::study::peel::step_dependence::StepCurve;
+use serde::{Deserialize, Serialize};
+use std::fmt;
 use std::sync::Arc;
 
 /// Where a piece ends.
@@ -245,5 +249,168 @@ impl StableBranch {
                 self.curve.push((u, force));
             }
         }
+    }
+}
+
+// -- The two ways of a test, and what work and energy balance on them --
+
+/// Which way the machine moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LoadingDirection {
+    /// Away from the substrate.
+    Retreat,
+    /// Towards it.
+    Approach,
+}
+
+impl LoadingDirection {
+    /// In words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Retreat => "retreat",
+            Self::Approach => "approach",
+        }
+    }
+}
+
+/// Work of the machine against change of energy and energy released, aJ.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Balance {
+    /// ∫ P dU over the stable pieces
+    pub work: f64,
+    /// Energy at the end minus energy at the start
+    pub energy_change: f64,
+    /// Sum over the jumps
+    pub released: f64,
+    /// The largest of these and of the works of the two ways, without its sign
+    pub largest: f64,
+}
+
+impl Balance {
+    /// What is not accounted for, over the largest term.
+    pub fn error(&self) -> f64 {
+        (self.work - self.energy_change - self.released).abs() / self.largest.max(f64::MIN_POSITIVE)
+    }
+}
+
+// -- Why a test stopped short, with what was computed, where and how far --
+
+/// Most jumps on one way.
+pub(super) const MOST_JUMPS: usize = 50;
+
+/// Why a test stopped short, on the best mesh that was tried, and what to try.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[error(
+    "{cause}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {asked:e}"
+)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub struct TestFailure {
+    pub cause: TestError,
+    pub elements: usize,
+    pub order: usize,
+    /// Relative accuracy asked for.
+    pub asked: f64,
+}
+
+/// Why a test on one mesh stopped.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum TestError {
+    /// No mesh was tried.
+    #[error("nothing was computed")]
+    NothingComputed,
+    /// There is no equilibrium to start from.
+    #[error(
+        "the path cannot be continued from u = 0.000000 nm, P = 0.000000 nN (point 0): after 1 shorter and shorter steps: {0}"
+    )]
+    NoStart(NoEquilibrium),
+    /// A stable branch was not followed to its end.
+    #[error("{0}")]
+    Branch(#[from] BranchError),
+    /// The structure does not come to rest.
+    #[error("the state after the jump at U = {machine_nm:.6} nm was not found: {cause}")]
+    Relax { machine_nm: f64, cause: RelaxError },
+    /// A jump takes energy, aJ.
+    #[error("the jump at U = {machine_nm:.6} nm releases {released:.3e} aJ: that is no jump")]
+    NoRelease { machine_nm: f64, released: f64 },
+    /// One jump comes after another.
+    #[error("there were {MOST_JUMPS} jumps on the {}, more than are computed", .way.word())]
+    TooManyJumps { way: LoadingDirection },
+    /// The work is not the energy.
+    #[error(
+        "work and energy do not balance: ∫ P dU = {:.9e} aJ, change of energy {:.9e} aJ, released {:.9e} aJ; the difference is \
+         {:.1e} of the largest term", .0.work, .0.energy_change, .0.released, .0.error()
+    )]
+    Unbalanced(Balance),
+}
+
+/// Why a stable branch could not be followed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum BranchError {
+    /// Its path, or where that loses its stability.
+    #[error("{0}")]
+    Trace(#[from] TraceError),
+    /// Its largest force.
+    #[error("the largest force on the stable branch near U = {machine_nm:.6} nm was not located: {cause}")]
+    NoPeak { machine_nm: f64, cause: SolveError },
+    /// Its last point.
+    #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
+    NotArrived { machine_nm: f64, cause: SolveError },
+}
+
+// -- Where a test leaves its model: what is bonded has lost its stability, or its end has collapsed onto the substrate --
+
+/// What of the model has come to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum ModelLimit {
+    /// What is bonded is unstable.
+    Bonded(BondedLoss),
+    /// The beam has collapsed onto the substrate.
+    Collapsed(CollapsedSection),
+}
+
+/// Where a test has come to the end of its model.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LeftModel {
+    /// Which way the machine moves
+    pub way: LoadingDirection,
+    /// U, nm
+    pub machine: f64,
+    /// P of the last equilibrium within the model, nN
+    pub force: f64,
+    /// What has come to its end
+    pub limit: ModelLimit,
+}
+
+impl fmt::Display for LeftModel {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { way, machine, force, limit } = self;
+        write!(f, "on the {} at U = {machine:.6} nm, P = {force:.6} nN ", way.word())?;
+        match limit {
+            ModelLimit::Bonded(loss) => loss.fmt(f),
+            ModelLimit::Collapsed(section) => section.fmt(f),
+        }
+    }
+}
+
+impl Machine<'_> {
+    /// The limit of the model at which an equilibrium is, where the test cannot go on from it.
+    pub fn model_limit(&self, at: &Solution) -> Option<ModelLimit> {
+        self.collapsed(at).or_else(|| self.bonded(at))
+    }
+
+    /// Whether a beam has collapsed in an equilibrium.
+    pub fn collapsed(&self, at: &Solution) -> Option<ModelLimit> {
+        self.problem.beam.planar()?.collapsed_section(&at.at).map(ModelLimit::Collapsed)
+    }
+
+    /// Whether what is bonded is unstable at an equilibrium, or nearly so.
+    pub fn bonded(&self, at: &Solution) -> Option<ModelLimit> {
+        let beam = self.problem.beam.planar()?;
+        if self.adhering(at) != Adhering::Pad {
+            return None;
+        }
+        beam.limits.near_bonded_loss(beam.grip_forces(&at.at).horizontal).map(ModelLimit::Bonded)
     }
 }

@@ -14,14 +14,13 @@ use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::step::{Moved, Step};
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::predictor::MOST_POINTS;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
 use crate::solve::points::locate::{Located, locate};
-use crate::solve::state::State;
+use crate::solve::points::search::LimitPointKind;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::{Pace, ShouldStop, Workspace};
 use std::sync::Arc;
 

@@ -3,6 +3,5 @@ pub(super) mod error;
 mod grip_control;
 mod loading_steps;
 pub(crate) mod prepared;
-mod settled_in_space;
-mod settled_on_ground;
+mod settled;
 pub(super) mod stability;

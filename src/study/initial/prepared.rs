@@ -2,7 +2,7 @@
 
 use super::error::{NoEquilibrium, NotPrepared, UnstableRest};
 use super::stability::RelaxedStart;
-use super::{loading_steps, settled_in_space, settled_on_ground, stability};
+use super::{loading_steps, settled, stability};
 use crate::beam::grip_state::GripState;
 use crate::beam::mesh::MeshKind;
 use crate::model::peel::PeelModel;
@@ -40,11 +40,11 @@ pub fn prepared(
     if !model.ground.substrate.is_flat() {
         // it may touch anywhere
         let fixed = discretised(how.on(MeshKind::Graded))?;
-        let at = settled_on_ground::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
+        let at = settled::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
             .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
         problem.start_at(Arc::new(at));
     }
-    settled_in_space::settle(model, &mut problem, &should_stop);
+    settled::settle_in_space(model, &mut problem, &should_stop);
     let relaxed = stability::stabilise(model, how, &mut problem, &should_stop).map_err(refused)?;
     match loading_steps::take(model, &mut problem, should_stop) {
         (steps, Ok(())) => Ok(Prepared { problem, steps, relaxed }),

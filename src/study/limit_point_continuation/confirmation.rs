@@ -1,11 +1,9 @@
 //! Whether what is followed is still good enough, and still the point of the path from rest.
 
-use super::elements::{MOST_ELEMENTS, finer};
-use super::failure::PointNotFound;
-use super::result::Remark;
-use super::strand::{Difference, Found, NEIGHBOURS, Strand};
+use super::result::{PointNotFound, Remark};
+use super::strand::{Difference, Found, MOST_ELEMENTS, NEIGHBOURS, Strand, finer};
 use super::values::Sweep;
-use crate::study::error_bounds::FOLLOWED_BOUND_FACTOR;
+use crate::study::asked::error_bounds::FOLLOWED_BOUND_FACTOR;
 
 /// The next value is solved for on more elements when force or displacement have changed by this share since the last.
 const CHANGE: f64 = 0.05;

@@ -10,13 +10,12 @@ use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::solve::error::SolveError;
-use crate::solve::observables::Observables;
 use crate::solve::path::predictor::{lagrange_weights, longest_step};
 use crate::solve::points::search::{BendRule, FoundLimitPoint, LimitPointSearch};
 use crate::solve::problem::Problem;
-use crate::solve::state::{Mesh, State};
+use crate::solve::state::{Mesh, Observables, State};
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::ORDER;
+use crate::study::asked::accuracy::ORDER;
 use crate::study::peel::work::power;
 use std::collections::VecDeque;
 

@@ -4,21 +4,20 @@
 //! cusp its largest value is zero. That maximum, over P, is a smooth function of any parameter of the model on both
 //! sides of the cusp, and its zero a regular one, where the limit points themselves are singular.
 
-use super::failure::CuspError;
+use super::result::CuspError;
 use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::{Accuracy, ORDER, Resolution};
-use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::asked::accuracy::{Accuracy, ORDER, Resolution};
+use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::asked::stop_criteria::StopCriteria;
+use crate::study::asked::terms::Terms;
 use crate::study::peel::result::PathEnd;
-use crate::study::peeling::peel;
-use crate::study::stop_criteria::StopCriteria;
-use crate::study::terms::decision::Terms;
+use crate::study::terms::term_selection::peel;
 use std::sync::Arc;
 
 /// A cusp of the path in a parameter.

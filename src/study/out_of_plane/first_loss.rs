@@ -1,14 +1,15 @@
 //! Where a path loses its stability out of the plane, by equilibria solved on the step that holds it.
 
 use super::result::OutOfPlaneLoss;
-use super::roll_reader::RollReader;
+use super::roll_elements::RollReader;
 use crate::solve::error::SolveError;
+use crate::solve::newton::on_more_elements;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::locate::{on_more_elements, step_to};
+use crate::solve::points::locate::step_to;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::Workspace;
-use crate::study::error_bounds::{COMPANION_FRACTION, DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
+use crate::study::asked::error_bounds::{COMPANION_FRACTION, DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
 use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
 

@@ -4,17 +4,16 @@
 //! each of its equilibria the roll is stable up to some width, and down to another. The limits of the path are the
 //! least and the largest of these, located along the path as well.
 
-use super::refusal::NotOutOfPlane;
-use super::result::OutOfPlaneError;
-use super::roll_reader::{RollReader, RollingBeam};
-use super::two_steps::{TwoSteps, Valley};
+use super::result::{NotOutOfPlane, OutOfPlaneError};
+use super::roll_elements::{RollReader, RollingBeam};
+use super::run::{TwoSteps, Valley};
 use crate::model::body::Body;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
-use crate::solve::observables::Observables;
-use crate::solve::points::locate::on_more_elements;
+use crate::solve::newton::on_more_elements;
+use crate::solve::state::Observables;
 use crate::solve::workspace::Workspace;
-use crate::study::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
+use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF_PLACE, least};
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
 

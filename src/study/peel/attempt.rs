@@ -1,23 +1,17 @@
 //! A path on one mesh as an attempt: what it was worth, what to try next, and whether it has failed.
 
-use super::assembly::{differences, force_round_off, report};
-use super::equilibrium_path::followed::Followed;
-use super::failure::{
-    Failure, PathFailure, PathFailure::Jumped, PathFailure::Missed, PathFailure::NearUpright, PathFailure::NotLocated,
-    PathFailure::Path, PathFailure::TooManyPoints,
-};
-use super::lost::Lost;
-use super::points::LimitPoint;
-use super::result::{Effort, PathEnd, Peel};
-use super::solution_history::SolutionHistory;
+use super::assembly::{NO_ACCURACY, Whole, differences, force_round_off, report};
+use super::equilibrium_path::path_end::Followed;
+use super::result::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
+use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
+use super::solution_history::{LimitPoint, SolutionHistory};
 use super::special_points::{difference_at_start, error_at_start};
-use super::whole::{NO_ACCURACY, Whole};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
-use crate::solve::points::kind::LimitPointKind;
-use crate::study::accuracy::{Accuracy, Resolution};
-use crate::study::error_bounds::{
+use crate::solve::points::search::LimitPointKind;
+use crate::study::asked::accuracy::{Accuracy, Resolution};
+use crate::study::asked::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
 };
 use std::sync::Arc;
@@ -363,6 +357,40 @@ impl Attempt {
             peel.end = PathEnd::Failed(Failure::Path { cause, elements, order, asked: peel.asked, given_up });
         }
         peel
+    }
+}
+
+// -- Where a path was lost on one mesh, beside where it was lost on another --
+
+/// Relative difference of two places at which two meshes lose a path for one reason: in the random samples they lay within 1e-9 to 3e-4 of each other.
+const SAME_PLACE: f64 = 1e-3;
+
+/// The newest point of a path that cannot be continued.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lost {
+    pub(super) displacement: f64,
+    pub(super) force: f64,
+}
+
+impl Lost {
+    /// Whether this is the same place, as far as two meshes can tell.
+    pub(super) fn is_near(&self, other: &Self) -> bool {
+        let near = |one: f64, other: f64| (one - other).abs() <= SAME_PLACE * one.abs();
+        near(self.displacement, other.displacement) && near(self.force, other.force)
+    }
+}
+
+#[cfg(test)]
+mod lost_tests {
+    use super::*;
+
+    /// On a plateau the force is the same everywhere, and on the way back the displacement is passed twice: both count.
+    #[test]
+    fn the_same_place_has_the_same_force_and_displacement() {
+        let lost = Lost { displacement: 4.108591, force: 0.0343317 };
+        assert!(lost.is_near(&Lost { displacement: 4.108925, force: 0.0343314 }));
+        assert!(!lost.is_near(&Lost { displacement: 4.15, ..lost }));
+        assert!(!lost.is_near(&Lost { force: 0.0344, ..lost }));
     }
 }
 

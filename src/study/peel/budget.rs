@@ -5,7 +5,10 @@
 //! iterations of the first mesh: iterations on a finer one count for as much as it has more elements. It looks at no clock, so that a result
 //! does not depend on the machine.
 
-use crate::study::stop_criteria::{Patience, StopCriteria};
+use super::result::PathEnd;
+use crate::solve::path::options::{PathOptions, Waypoint};
+use crate::solve::workspace::ShouldStop;
+use crate::study::asked::stop_criteria::{Patience, Stage, StopCriteria};
 
 /// Newton iterations on the first mesh that a sampled path takes: the median of strips and tapes is between 300 and 500.
 const USUAL: f64 = 400.0;
@@ -42,6 +45,42 @@ impl Budget {
     /// Whether nothing is left.
     pub fn is_spent(&self) -> bool {
         self.left <= 0.0
+    }
+}
+
+// -- How a run goes on from another one --
+//
+// The points of a path follow from the scene and the mesh alone: [`StopCriteria`] only say where it is left.
+// So a run that takes an earlier one's points and computes the rest gives what a single one would give, bit for bit.
+
+/// Where the points of a run's paths come from and go to.
+pub struct Checkpoint<'a> {
+    /// The first points of the path with these options, as far as an earlier run of the same scene has kept them.
+    pub taken: &'a dyn Fn(&PathOptions) -> Vec<Waypoint>,
+    /// Is given each point behind those, as soon as it is computed.
+    pub keep: &'a dyn Fn(&PathOptions, Waypoint),
+}
+
+impl Checkpoint<'_> {
+    /// Of a run that begins at rest and keeps nothing.
+    pub const NOTHING: Checkpoint<'static> = Checkpoint { taken: &|_| Vec::new(), keep: &|_, _| () };
+}
+
+/// What ends a run's paths before their end, and what it goes on from.
+pub(in crate::study) struct Limits<'a> {
+    pub stop: &'a StopCriteria,
+    pub checkpoint: &'a Checkpoint<'a>,
+}
+
+impl Limits<'_> {
+    /// Why a path is to be left where it is, although it goes on.
+    pub fn reached(&self) -> Option<PathEnd> {
+        self.stop.reached_bound(Stage::Path).map(PathEnd::Bound)
+    }
+
+    /// Says when limit points and work are no longer to be computed.
+    pub fn should_stop(&self) -> Option<ShouldStop> {
+        self.stop.for_solves(Stage::Results)
     }
 }
 

@@ -1,8 +1,9 @@
 //! How a beam lies on ground that is not flat: how much of it adheres, how deep it penetrates, and how far the ground is from
 //! the half space that stands for it.
 
-use super::points::DeformedShape;
-use super::result::Peel;
+use super::equilibrium_path::path_end::Followed;
+use super::result::{PathEnd, Peel};
+use super::solution_history::{DeformedShape, LimitPoint};
 use crate::adhesion::levels::curved::CurvedBody;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::substrate::Substrate;
@@ -11,10 +12,14 @@ use crate::beam::mesh::MeshKind;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::ground::{Ground, Start};
 use crate::model::peel::{Form, PeelModel};
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::model::problem::build::Discretisation;
-use crate::solve::points::kind::LimitPointKind;
-use crate::study::accuracy::ORDER;
+use crate::solve::points::search::LimitPointKind;
+use crate::solve::state::State;
+use crate::study::asked::accuracy::ORDER;
+use crate::study::asked::stop_criteria::{Bound, FollowedUntil};
 use crate::study::initial::prepared::prepared;
+use serde::{Deserialize, Serialize};
 
 /// How a beam lies at one point of its path. From samples, six an element. A strip lies on flat ground with all its length; of a spatula and
 /// other beams it is where that lies on flat ground without a force with which they are compared.
@@ -189,4 +194,124 @@ fn curvature_error(substrate: &Substrate, material: &HalfSpace, radius: f64) -> 
     let shape = substrate.crest();
     let gap = material.strongest_gap();
     CurvedBody { shape, radius }.traction(material, gap) / material.traction(gap) - 1.0
+}
+
+// -- What of a beam adheres: its face, the edge of its free end, the face of that end, or nothing --
+
+/// What of a beam adheres, that is, is nearer to the substrate than 2 r0, or than what stands for that under a cohesive law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Adhering {
+    /// Its face, along a length of at least the height of the free end, or away from that end.
+    Pad,
+    /// The edge of its free end alone.
+    Edge,
+    /// The face of its free end, which stands on the substrate with both its edges.
+    EndFace,
+    /// No point.
+    Nothing,
+}
+
+impl Adhering {
+    /// In words.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pad => "pad",
+            Self::Edge => "edge",
+            Self::EndFace => "end face",
+            Self::Nothing => "nothing",
+        }
+    }
+
+    /// Of a beam in a state; what is nearer than `near`, nm, adheres ([`crate::adhesion::LineLaw::adhering_distance`]).
+    pub(in crate::study) fn of(beam: &Beam, at: &State, near: f64) -> Self {
+        let shape = DeformedShape::of(beam, at);
+        let end_height = shape.height.first().copied().unwrap_or(0.0);
+        Self::of_samples(&samples(beam.substrate(), &shape), near, end_height)
+    }
+
+    fn of_samples(samples: &[Sample], near: f64, end_height: f64) -> Self {
+        let is_near = |sample: &Sample| sample.gap < near;
+        let Some(first) = samples.iter().position(is_near) else { return Self::Nothing };
+        let last = samples.iter().rposition(is_near).unwrap_or(first);
+        let length = |from: usize, to: usize| -> f64 {
+            samples[from..=to].windows(2).map(|pair| (pair[1].x - pair[0].x).hypot(pair[1].y - pair[0].y)).sum()
+        };
+        if length(first, last) >= end_height || length(0, first) >= end_height {
+            Self::Pad
+        } else if samples[0].far_gap < near {
+            Self::EndFace
+        } else {
+            Self::Edge
+        }
+    }
+}
+
+// -- The folds of a path behind which the pad, and behind which nothing of the beam, adheres any more --
+
+impl Peel {
+    /// Looks for them, on a path that was followed to where it ends by itself, or to where nothing adheres: elsewhere it may come back.
+    pub(super) fn find_detachment(&mut self, problem: &BeamProblem, followed: &Followed) {
+        let is_off = matches!(self.end, PathEnd::Detached | PathEnd::Bound(Bound::Until(FollowedUntil::Detachment)));
+        let comes_off = is_off || self.end == PathEnd::Pivoting;
+        if !comes_off || followed.trouble.is_some() || problem.system.has_history() {
+            return;
+        }
+        let near = self.model.line_law().adhering_distance();
+        let of = |at| Adhering::of(&problem.beam, at, near);
+        let turns_back = |&&index: &&usize| {
+            let at = &self.limit_points[index];
+            at.kind == LimitPointKind::Displacement && followed.points[at.after].slope.displacement > 0.0
+        };
+        let indices: Vec<usize> = (0..self.limit_points.len()).collect();
+        let mut folds: Vec<usize> = indices.iter().filter(turns_back).copied().collect();
+        let place = |index: usize| self.limit_points[index].displacement;
+        folds.sort_by(|&a, &b| place(b).total_cmp(&place(a)));
+        // what adheres on the path behind a fold where the grip is further away
+        let behind = |index: usize| {
+            let LimitPoint { after, displacement, .. } = self.limit_points[index];
+            let beyond = followed.points[after + 1..].iter();
+            beyond.filter(move |s| s.observables.displacement > displacement).map(|s| of(&s.at))
+        };
+        let pad = folds.iter().copied().find(|&index| of(&followed.turns[index].2.solution.at) == Adhering::Pad);
+        let pad = pad.filter(|&index| behind(index).all(|adhering| adhering != Adhering::Pad));
+        let last = folds.first().copied().filter(|_| is_off);
+        let last = last.filter(|&index| behind(index).all(|adhering| adhering == Adhering::Nothing));
+        self.pad_detachment = pad.map(|index| self.limit_points[index]);
+        self.detachment = last.map(|index| self.limit_points[index]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A straight beam 100 nm long and 10 nm high that leaves the ground at this angle (degrees) from a gap of 0.4 nm.
+    fn leaving(angle: f64) -> Vec<Sample> {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        (0..=1000)
+            .map(|k| {
+                let s = 0.1 * k as f64;
+                let (x, y) = (s * cos, 0.4 + 5.0 * cos.abs() + s * sin);
+                let half = 5.0 * cos.abs();
+                Sample { x, y, gap: y - half, far_gap: y + half, edge: y - half, ground: 0.0, curvature: 0.0 }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn a_beam_adheres_by_its_pad_its_edge_or_its_end() {
+        let of = |samples: &[Sample]| Adhering::of_samples(samples, 0.8, 10.0);
+        assert_eq!(of(&leaving(0.0)), Adhering::Pad);
+        assert_eq!(of(&leaving(1.0)), Adhering::Pad, "0.4 nm over sin 1 degree, 23 nm, are nearer than 2 r0");
+        assert_eq!(of(&leaving(30.0)), Adhering::Edge);
+        assert_eq!(of(&leaving(90.0)), Adhering::EndFace);
+        assert_eq!(of(&leaving(150.0)), Adhering::Edge, "turned over");
+        let mut lifted = leaving(30.0);
+        lifted.iter_mut().for_each(|sample| sample.gap += 1.0);
+        assert_eq!(of(&lifted), Adhering::Nothing);
+        let mut bent = leaving(0.0);
+        bent[..300].iter_mut().for_each(|sample| sample.gap += 5.0);
+        bent[330..].iter_mut().for_each(|sample| sample.gap += 5.0);
+        assert_eq!(of(&bent), Adhering::Pad, "it touches away from its end");
+    }
 }

@@ -1,28 +1,23 @@
 //! A path on one mesh after another: a mesh from the accuracy asked for, the path on it, and, where the error bounds say
 //! so, a finer mesh and the path again.
 
-use super::assembly::empty;
-use super::attempt::Attempt;
-use super::budget::Budget;
+use super::assembly::{Whole, empty};
+use super::attempt::{Attempt, Lost};
+use super::budget::{Budget, Checkpoint, Limits};
 use super::equilibrium_path::follow::follow;
-use super::failure::{Failure, PathFailure};
-use super::lost::Lost;
-use super::nearly_upright::NearlyUpright;
-use super::result::{Effort, PathEnd, Peel};
+use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
 use super::step_dependence::Common;
-use super::whole::Whole;
-use crate::beam::mesh::MeshKind;
+use crate::beam::mesh::{Focus, MeshKind, Reach};
+use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::solve::path::options::PathOptions;
 use crate::solve::problem::MeasuredBeside;
 use crate::solve::workspace::Pace;
-use crate::study::accuracy::{Accuracy, Choice, Resolution, most_elements};
-use crate::study::checkpoint::{Checkpoint, Limits};
+use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
 use crate::study::initial::error::NotPrepared;
 use crate::study::initial::prepared::{Prepared, prepared};
-use crate::study::refinement::{MOST_FAILED_IN_SPACE, refined};
 use std::sync::Arc;
 
 /// Length of the steps of a path that confirms another, over those of the other.
@@ -294,5 +289,61 @@ impl Shorter<'_> {
             }
         }
         (best, iterations)
+    }
+}
+
+// -- A mesh that resolves sections which are nearly upright, in the reach of a pole of their law --
+//
+// Where a beam hangs between its front and its grip, an upright pull brings its sections near to 90 degrees. The energy of the near face alone,
+// -b|W|/cos θ, softens a tilt there by 2b|W|/cos³θ, and tension and bending hold it with V + EI/y², y the height. Where they no longer do is a displacement
+// limit point of the path, behind which cos θ falls to nothing at one place. Elements that follow the front are too long there to see it.
+
+/// Length of the elements at such a section over that over which the pole bends the beam.
+const ELEMENT: f64 = 0.33;
+/// The same where that was not short enough, over the time before.
+const SHORTER_ELEMENTS: f64 = 0.6;
+
+/// Where elements are small because sections there are nearly upright.
+pub(super) struct NearlyUpright {
+    foci: Vec<Focus>,
+    /// How many elements of the mesh those are.
+    elements: usize,
+    /// Over the length that was taken at first.
+    share: f64,
+}
+
+impl NearlyUpright {
+    /// No such section.
+    pub(super) const fn nowhere() -> Self {
+        Self { foci: Vec::new(), elements: 0, share: 1.0 }
+    }
+
+    /// The problem on a mesh that resolves a section which this one does not, and the elements it takes.
+    pub(super) fn resolved(
+        &mut self,
+        (model, how): (&PeelModel, Discretisation),
+        problem: &BeamProblem,
+        section: &UprightSection,
+        resolution: Resolution,
+    ) -> Option<(Arc<BeamProblem>, Resolution)> {
+        let PoleInReach::Unresolved { length, .. } = section.pole else { return None };
+        let (beam, whole) = (problem.beam.planar()?, model.length());
+        // what hangs is as long as it is high, at least
+        let hanging = section.height.max(whole - section.place).min(whole);
+        let front = (section.place - hanging).max(0.0);
+        let at_front = beam.mesh.front_foci.iter().map(|focus| Focus { center: front + focus.center, ..*focus });
+        let others: Vec<Focus> = at_front.chain(beam.mesh.fixed_foci.iter().copied()).collect();
+        let before = resolution.elements - self.elements;
+        let each = Focus::between(&others, 0.0, whole) / before as f64;
+        if !self.foci.is_empty() {
+            self.share *= SHORTER_ELEMENTS;
+        }
+        let weight = each * hanging / (ELEMENT * self.share * length);
+        let focus = Focus { center: section.place, length: hanging, weight, reach: Reach::Near };
+        self.foci.retain(|other| (other.center - section.place).abs() > hanging);
+        self.foci.push(focus);
+        self.elements = (Focus::between(&self.foci, 0.0, whole) / each).ceil() as usize;
+        let finer = resolution.with_elements((before + self.elements) as f64);
+        Some((Arc::new(model.with_foci(problem, how, &self.foci)?), finer))
     }
 }

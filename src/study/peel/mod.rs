@@ -1,24 +1,13 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
-pub(super) mod adhering;
 pub(super) mod assembly;
 mod attempt;
-mod budget;
+pub(super) mod budget;
 pub(super) mod contact;
-mod detachment;
 pub(super) mod equilibrium_path;
-pub(super) mod failure;
-mod lost;
 pub(super) mod meshes;
-mod nearly_upright;
-mod plateau;
-pub(super) mod points;
 pub(super) mod result;
 pub(super) mod run;
-pub(super) mod sliding;
 pub(super) mod solution_history;
 mod special_points;
-pub(super) mod step_curve;
-mod step_dependence;
-mod whole;
-mod widened;
+pub(super) mod step_dependence;
 pub(super) mod work;

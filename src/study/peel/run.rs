@@ -1,17 +1,15 @@
 //! The run behind [`super::peel`]: the path on meshes that follow its front, at one pace after another, and, where none of them gives a path that can be
 //! used, on fixed meshes.
 
-use super::budget::Budget;
-use super::failure::Failure;
+use super::assembly::widened;
+use super::budget::{Budget, Checkpoint, Limits};
 use super::meshes::{Collapsed, KnownStart, on_meshes};
-use super::result::{PathEnd, Peel};
-use super::widened::widened;
+use super::result::{Failure, PathEnd, Peel};
 use crate::beam::mesh::MeshKind;
 use crate::model::peel::PeelModel;
 use crate::solve::workspace::Pace;
-use crate::study::accuracy::{Accuracy, Choice, Resolution, aim};
-use crate::study::checkpoint::{Checkpoint, Limits};
-use crate::study::stop_criteria::StopCriteria;
+use crate::study::asked::accuracy::{Accuracy, Choice, Resolution, aim};
+use crate::study::asked::stop_criteria::StopCriteria;
 
 /// How a path is followed, one way after another until it can be used.
 const PACES: [Pace; 3] = [Pace::Quick, Pace::Wary, Pace::Watchful];

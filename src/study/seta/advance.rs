@@ -1,9 +1,8 @@
 //! One step of the root: along the branch, to a contact, or to a loss of stability.
 
-use super::knot::{Allowed, Knot, Reached};
+use super::knot::{Allowed, Knot, Reached, maximum};
+use super::loading::SetaOptions;
 use super::loss::{Loss, locate};
-use super::maximum::maximum;
-use super::options::SetaOptions;
 use super::rest::share_of_change;
 use super::result::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
@@ -11,9 +10,8 @@ use super::watched::Watched;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.

@@ -4,21 +4,19 @@
 //! mesh of elements one order higher, and is pulled on until its force has passed its largest value. So only a few equilibria are computed again.
 //! What is found is the peak of a finer mesh where the same tips detach before it as on the coarser one.
 
-use super::loading::SetaLoading;
-use super::options::SetaOptions;
-use super::progress::SetaProgress;
-use super::result::{LocationError, SetaMoment, SetaPoint, SetaPullOff, SetaState};
-use super::run::Run;
+use super::loading::{SetaLoading, SetaOptions};
+use super::result::{LocationError, SetaEffort, SetaEnd, SetaMoment, SetaPoint, SetaPullOff, SetaState};
+use super::run::{Run, SetaProgress};
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::beam::element::basis::MOST_ORDER;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::{Seta, SetaModel};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
-use crate::study::stop_criteria::{Stage, StopCriteria};
+use crate::study::asked::stop_criteria::{Stage, StopCriteria};
+use serde::{Deserialize, Serialize};
 
 /// How far before the peak the finer mesh begins, over the first step: the nearest at which it is stable with the same tips and its force rises.
 const BEFORE: [f64; 4] = [0.02, 0.2, 2.0, 20.0];
@@ -183,4 +181,60 @@ fn pulled_on(run: &mut Run, peak: &SetaPoint, before: f64) -> Option<SetaState> 
         }
     }
     None
+}
+
+// -- What a pull-off found, without its points and its states: what a row of a sweep has, and a sample --
+
+/// The numbers of a pull-off.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaResult {
+    /// On the finest mesh, or as of [`SetaPullOff`] where that was not found
+    pub peak: Option<SetaMoment>,
+    /// By how much the force of the peak differs from that on the mesh before, nN; none where no finer mesh came to the peak
+    pub mesh_error: Option<f64>,
+    /// As of [`SetaPullOff`]
+    pub first_detachment: Option<SetaMoment>,
+    /// As of [`SetaPullOff`]
+    pub last_detachment: Option<SetaMoment>,
+    /// How many events there are
+    pub events: usize,
+    /// Changes of tips in the largest event
+    pub most_at_once: usize,
+    /// Of the root over all steps, aJ
+    pub work: f64,
+    /// At events, aJ
+    pub released: f64,
+    /// As of [`SetaPullOff::imbalance`]
+    pub imbalance: f64,
+    /// Tips that adhere at the end
+    pub attached: usize,
+    /// As of [`SetaPullOff`]
+    pub end: SetaEnd,
+    /// Equilibria
+    pub points: usize,
+    /// As of [`SetaPullOff`]
+    pub effort: SetaEffort,
+}
+
+impl SetaResult {
+    /// Of a pull-off, and of its peak on finer meshes.
+    pub fn new(pull_off: &SetaPullOff, converged: Option<&ConvergedPeak>) -> Self {
+        let moment = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
+        let last = pull_off.points.last().copied().unwrap_or_default();
+        Self {
+            peak: converged.map(|found| found.peak).or_else(|| moment(&pull_off.peak)),
+            mesh_error: converged.map(|found| found.mesh.force),
+            first_detachment: moment(&pull_off.first_detachment),
+            last_detachment: moment(&pull_off.last_detachment),
+            events: pull_off.events.len(),
+            most_at_once: pull_off.events.iter().map(|event| event.tips.len()).max().unwrap_or(0),
+            work: last.work,
+            released: last.released,
+            imbalance: pull_off.imbalance(),
+            attached: last.attached,
+            end: pull_off.end.clone(),
+            points: pull_off.points.len(),
+            effort: pull_off.effort,
+        }
+    }
 }

@@ -6,16 +6,15 @@
 //! upright. Why: where two tips are nearly alike the one whose height is followed to the loss need not be the one that comes to the end of its branch.
 
 use super::advance::{Advance, advance};
-use super::critical::Critical;
-use super::options::SetaOptions;
+use super::loading::SetaOptions;
 use super::rest::come_to_rest;
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::model::seta::mesh::SetaMesh;
+use super::watched::Critical;
 use crate::model::seta::normal_pull::{CurvePoint, NormalPull, PullCurve, Sideways};
-use crate::model::seta::parameters::{Seta, SetaModel};
+use crate::model::seta::parameters::{Seta, SetaMesh, SetaModel};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
-use crate::solve::observables::{Observables, PathConstraint};
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::system::{Coefficients, System};
 use crate::solve::workspace::Workspace;
 use std::sync::Arc;

@@ -9,20 +9,18 @@
 //! Where another tip is the one that lets go, it runs away from the tip that is watched, little of whose height is much of its own: from there on the
 //! branch is followed by the height of the faster tip.
 
-use super::critical::{Critical, at_branching, at_fold};
-use super::knot::{Allowed, Knot, Reached};
-use super::maximum::maximum;
-use super::options::SetaOptions;
+use super::knot::{Allowed, Knot, Reached, maximum};
+use super::loading::SetaOptions;
 use super::result::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
-use super::watched::Watched;
+use super::watched::{Critical, Watched, at_branching, at_fold};
 use crate::beam::spatial::rotation::{exponential, product};
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::Workspace;
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.

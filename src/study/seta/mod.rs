@@ -4,21 +4,14 @@
 //! Between events the work of the root is the change of the energy; at an event energy is released at a root that stands still.
 mod advance;
 pub(super) mod converged_peak;
-mod critical;
-pub(super) mod failure;
 #[cfg(test)]
 mod gradient_flow;
 mod knot;
 pub(super) mod loading;
 mod loss;
-mod maximum;
-pub(super) mod numbers;
-pub(super) mod options;
-pub(super) mod progress;
 pub(super) mod rest;
 pub(super) mod result;
 pub(super) mod run;
-pub(super) mod sections;
 pub(super) mod spatula_curve;
 pub(super) mod standing;
 mod watched;

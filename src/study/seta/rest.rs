@@ -5,15 +5,14 @@
 //! seta yields to it; then the forces follow. A step ends where the first tip comes to the end of its branch; that tip goes over to the other
 //! branch there. Where no tip changes any more and the step is small, Newton's own method finds the equilibrium, which has to be stable.
 
-use super::critical::{critical_direction, disturbed};
 use super::result::TipChange;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
+use super::watched::{critical_direction, disturbed};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::Coefficients;
 use crate::solve::workspace::Workspace;
 

@@ -1,29 +1,28 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
-mod ends;
-
 use super::advance::{Advance, advance};
-use super::critical::Critical;
-use super::failure::SetaFailure;
 use super::knot::Reached;
-use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use super::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
-use super::options::SetaOptions;
-use super::progress::{Mark, Named, SetaProgress};
 use super::rest::{Rested, come_to_rest};
-use super::result::{EventCause, JointPlace, LocationError, SetaEnd, SetaEvent, SetaPoint, SetaPullOff, SetaState};
+use super::result::{
+    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaPoint, SetaPullOff,
+    SetaState,
+};
 use super::standing::{RootDrive, Standing, TipTangent};
+use super::watched::Critical;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
-use crate::model::seta::tip_law::TipBranch;
+use crate::model::seta::tip_law::{AdheringTip, TipBranch};
 use crate::solve::error::SolveError;
 use crate::solve::newton::{Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::System;
 use crate::solve::workspace::Workspace;
-use crate::study::stop_criteria::{Stage, StopCriteria};
+use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
+use crate::study::seta::advance::Refusal;
+use serde::{Deserialize, Serialize};
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
 const SHORTEST: f64 = 1e-7;
@@ -423,5 +422,166 @@ impl Run<'_> {
             let is_here = step == self.progress.step && (displacement - there).abs() < SHORTEST;
             is_here && event.cause == EventCause::Buckling && event.tips.is_empty()
         })
+    }
+}
+
+// -- What a pull-off has reached: with it the rest follows bit for bit as if it had not been interrupted --
+
+/// What a pull-off has reached.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SetaProgress {
+    /// The result so far
+    pub result: SetaPullOff,
+    /// The equilibrium that it stands in
+    pub(super) here: Solution,
+    /// Branch and place of adhesion of each tip, nm
+    pub(super) tips: Vec<(TipBranch, [f64; 3])>,
+    /// Number of the step that is under way
+    pub(super) step: usize,
+    /// Where the root was at its beginning, nm
+    pub(super) from: [f64; 3],
+    /// Length of the next step of the root, nm
+    pub(super) ahead: f64,
+    /// ∂²E/∂y² of a tip at the last loss of stability, nN/nm
+    pub(super) softest: Option<f64>,
+}
+
+/// Where a run is between two steps of its root: a step that is stopped on its way is taken back.
+pub(super) struct Mark {
+    points: usize,
+    events: usize,
+    effort: SetaEffort,
+    here: Solution,
+    tips: Vec<AdheringTip>,
+    ahead: f64,
+    softest: Option<f64>,
+}
+
+impl Mark {
+    pub fn of(progress: &SetaProgress, standing: &Standing) -> Self {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        Self {
+            points: result.points.len(),
+            events: result.events.len(),
+            effort: result.effort,
+            here: here.clone(),
+            tips: standing.tips.clone(),
+            ahead: *ahead,
+            softest: *softest,
+        }
+    }
+
+    pub fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        result.points.truncate(self.points);
+        result.events.truncate(self.events);
+        result.effort = self.effort;
+        (*here, *ahead, *softest) = (self.here, self.ahead, self.softest);
+        standing.tips = self.tips;
+    }
+}
+
+/// A state of the last step that has a name.
+#[derive(Clone, Copy)]
+pub(super) enum Named {
+    FirstDetachment,
+    Peak,
+    LastDetachment,
+}
+
+impl SetaPullOff {
+    pub(super) fn named(&mut self, name: Named) -> &mut Option<SetaState> {
+        match name {
+            Named::FirstDetachment => &mut self.first_detachment,
+            Named::Peak => &mut self.peak,
+            Named::LastDetachment => &mut self.last_detachment,
+        }
+    }
+}
+
+impl SetaPullOff {
+    /// Of nothing.
+    pub(super) fn empty(elements: usize) -> Self {
+        Self {
+            points: Vec::new(),
+            events: Vec::new(),
+            first_detachment: None,
+            peak: None,
+            last_detachment: None,
+            last: None,
+            end: SetaEnd::Completed,
+            effort: SetaEffort { newton_iterations: 0, elements },
+        }
+    }
+}
+
+// -- Where a run ends, and why --
+
+/// What of all work may be missing at the end, over the tolerance of each step; at least and at most.
+const MISSING: f64 = 10.0;
+const LEAST_MISSING: f64 = 1e-6;
+const MOST_MISSING: f64 = 0.05;
+/// Error of the largest energy of a run, over it, that adds up from round-off.
+const ROUND_OFF: f64 = 1e-10;
+
+impl Run<'_> {
+    /// The end of a run whose steps are all taken: completed, if its work is where it ought to be.
+    fn finished(&self) -> SetaEnd {
+        let result = &self.progress.result;
+        let balance = self.options.balance;
+        let (missing, turnover) = (result.unaccounted(), result.turnover());
+        let round_off = ROUND_OFF * result.points.iter().fold(0.0f64, |most, point| most.max(point.energy.abs()));
+        // what is no number is missing as well
+        if missing.abs() <= (MISSING * balance).clamp(LEAST_MISSING, MOST_MISSING) * turnover + round_off {
+            return SetaEnd::Completed;
+        }
+        let work = result.points.last().map_or(0.0, |last| last.work);
+        let share = missing.abs() / turnover;
+        SetaEnd::Failed(SetaFailure::Unaccounted { missing, work, share, balance })
+    }
+
+    /// How deep the root can be pressed, nm.
+    fn deepest(&self) -> f64 {
+        let above = if let SetaStart::Above(height) = self.loading.start { height } else { 0.0 };
+        above + self.standing.model.seta.brush_height
+    }
+
+    fn bound(&self) -> Option<Bound> {
+        let most = self.stop.points;
+        let points = self.progress.result.points.len() >= most;
+        let bounded = self.bounded();
+        let displacement = self.progress.here.observables.displacement >= bounded;
+        points
+            .then_some(Bound::Points(most))
+            .or(displacement.then_some(Bound::Displacement(bounded)))
+            .or_else(|| self.stop.reached_bound(Stage::Path))
+    }
+
+    /// The displacement at which the last step is left, nm.
+    fn bounded(&self) -> f64 {
+        let is_last = self.progress.step + 1 == self.loading.steps.len();
+        self.stop.displacement.filter(|_| is_last).unwrap_or(f64::INFINITY)
+    }
+
+    /// Why no step is short enough.
+    fn refused(&self, why: Refusal) -> SetaEnd {
+        match why {
+            Refusal::Unsolved(cause) => self.lost(cause),
+            Refusal::TooFar | Refusal::Unstable => self.lost(SolveError::LimitPointNotConfirmed),
+            Refusal::Unbalanced(times) => {
+                let SetaProgress { step, here, .. } = &self.progress;
+                let (displacement, imbalance) = (here.observables.displacement, times * self.options.balance);
+                SetaEnd::Failed(SetaFailure::Unbalanced { step: *step, displacement, imbalance })
+            }
+        }
+    }
+
+    fn lost(&self, cause: SolveError) -> SetaEnd {
+        if cause == SolveError::Stopped {
+            return SetaEnd::Bound(self.stop.reached_bound(Stage::Results).unwrap_or(Bound::Interrupted));
+        }
+        let SetaProgress { step, here, .. } = &self.progress;
+        let displacement = here.observables.displacement;
+        SetaEnd::Failed(SetaFailure::Lost { step: *step, displacement, attached: self.standing.attached(), cause })
     }
 }

@@ -11,13 +11,13 @@ use crate::model::step::Step;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::workspace::Workspace;
-use crate::study::accuracy::{Accuracy, Resolution};
+use crate::study::asked::accuracy::{Accuracy, Resolution};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
-use crate::study::peel::step_curve::StepCurve;
+use crate::study::peel::step_dependence::StepCurve;
 use std::sync::Arc;
 
 /// Most points up to the limit point.

@@ -1,28 +1,29 @@
 //! Leaves out of a model what does not change the answer at the accuracy asked for, and says what that was.
 //!
 //! The path is followed without the terms that take something to compute, and what each would change is estimated on that path for every
-//! number that is reported ([`super::first_order_change`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
+//! number that is reported ([`crate::study::terms::effects`]). Bounds are widened by twice that. Where they are within the accuracy then, the path stands;
 //! else the term that changes most is put back, and the path followed again.
 
-use super::decision::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
-use super::first_order_change::FirstOrderChange;
+use super::effects::FirstOrderChange;
 use super::section_sampling::SectionSampling;
+use super::term_selection;
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate::response::GroundLaw;
+use crate::model::check::error::ModelError;
 use crate::model::ground::{Friction, Ground};
 use crate::model::peel::{Form, Hold, PeelModel};
 use crate::solve::newton::Solution;
 use crate::solve::problem::Direction;
-use crate::study::accuracy::Accuracy;
-use crate::study::checkpoint::Checkpoint;
-use crate::study::error_bounds::{COMPANION_FRACTION, FAR_FACE_SHARE_FACTOR, SHIFT_BOUND_FACTOR};
-use crate::study::peel::points::LimitPoint;
+use crate::study::asked::accuracy::Accuracy;
+use crate::study::asked::error_bounds::{COMPANION_FRACTION, FAR_FACE_SHARE_FACTOR, SHIFT_BOUND_FACTOR};
+use crate::study::asked::stop_criteria::StopCriteria;
+use crate::study::asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
+use crate::study::peel::budget::Checkpoint;
 use crate::study::peel::result::{PathEnd, Peel};
-use crate::study::peel::run as whole_path;
-use crate::study::peel::solution_history::SolutionHistory;
-use crate::study::stop_criteria::StopCriteria;
+use crate::study::peel::solution_history::{LimitPoint, SolutionHistory};
+use crate::study::peel::{assembly, run as whole_path};
 use std::sync::Arc;
 
 /// Heights of the ground over r0 beyond which it is no small change.
@@ -289,4 +290,39 @@ impl Found {
     fn wide(&self, shift: f64, value: f64) -> f64 {
         SHIFT_BOUND_FACTOR * shift.abs().max(COMPANION_FRACTION * self.left_out.largest * value.abs())
     }
+}
+
+// -- The whole peel of a model, with the terms that are asked for --
+
+/// Follows the peel from rest to its end. What went wrong on the way stands in [`Peel::end`]: a model or an accuracy that cannot be
+/// computed ([`checked`]) ends as failed at once, with what is wrong and what would be right.
+pub fn peel<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria) -> Peel
+where
+    PeelModel: From<&'m M>,
+{
+    peel_on(model, accuracy, stop, &Checkpoint::NOTHING)
+}
+
+/// The same, with the points that an earlier run of the same model and accuracy has kept: bit for bit what [`peel`] finds. The stop
+/// criteria may have changed.
+pub fn peel_on<'m, M>(model: &'m M, accuracy: &Accuracy, stop: &StopCriteria, checkpoint: &Checkpoint) -> Peel
+where
+    PeelModel: From<&'m M>,
+{
+    let model: PeelModel = model.into();
+    // what stays in the plane is solved there
+    let model = model.in_the_plane().unwrap_or(model);
+    match checked(&model, accuracy) {
+        Ok(()) => term_selection::run(&model, accuracy, stop, checkpoint),
+        Err(error) => assembly::peel(&model, accuracy, &error),
+    }
+}
+
+/// Whether a model can be computed to an accuracy: what every analysis asks first.
+///
+/// # Errors
+/// As [`PeelModel::check`] and [`Accuracy::check`].
+pub fn checked(model: &PeelModel, accuracy: &Accuracy) -> Result<(), ModelError> {
+    model.check()?;
+    accuracy.check()
 }

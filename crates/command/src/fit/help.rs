@@ -10,11 +10,12 @@ pub const LONG: &str = "\
 Examples:
   peel fit strip-fit.toml --data strip-fit.csv
   peel fit strip-fit.toml --data strip-fit.csv --set fit.loss=huber --set fit.profile=all
-  peel fit strip-fit.toml --data strip-fit.csv --set 'fit.parameters=[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]'
+  peel fit strip-fit.toml --data strip-fit.csv --set 'fit.parameters=[\"strip.youngs_modulus\"]'
 
 The scene names what is fitted:
   [fit]
-  parameters = [\"adhesion.hamaker_constant\", \"strip.youngs_modulus from 1 GPa to 5 GPa\", \"fit.displacement_zero\"]
+  parameters = [\"adhesion.hamaker_constant\", \"fit.displacement_zero\",
+      { key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }]
   force_error = \"0.003 nN\"        standard error of a measured force; without it, it is estimated from the residuals
 
 The search begins at the values of the scene. Without bounds a parameter above zero stays within a factor of 100 of its

@@ -1,26 +1,25 @@
 //! A value goes into a scene under its key, and comes out again.
 
-use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
-use super::kind::Kind;
+use super::kind::{Key, Kind};
+use crate::body::{set_space, shape_names};
 use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::table::{read_heights, read_profile};
 use crate::value::{Fault, Value, pieces, quoted, steps};
-use crate::{shape, space};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
 use peelkit::study::FollowedUntil;
 use std::sync::Arc;
 
 impl Key {
-    /// Puts a value into the scene if it is in range.
-    pub(crate) fn store(&self, scene: &mut Scene, value: &Value) -> Result<(), ValueError> {
+    /// Puts a value into the scene if it is in range; it may name keys of this list.
+    pub(crate) fn put(&self, keys: &[Key], scene: &mut Scene, value: &Value) -> Result<(), ValueError> {
         match (&self.kind, value) {
             (Kind::Text(place), Value::Text(text)) => *place(scene) = text.clone(),
             (Kind::Flag(place), &Value::Flag(flag)) => *place(scene) = flag,
-            (Kind::InSpace, &Value::Flag(flag)) => space::set(scene, flag),
+            (Kind::InSpace, &Value::Flag(flag)) => set_space(scene, flag),
             (Kind::Table(place), Value::Text(text)) => {
                 let (table, text) =
                     read_profile(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
@@ -39,7 +38,7 @@ impl Key {
             (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
             (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
             (Kind::Until(place), Value::Text(word)) => *place(scene) = self.pick(&FollowedUntil::NAMED, word)?,
-            (Kind::Setting(setting), value) => (setting.read)(scene, value)
+            (Kind::Setting(setting), value) => (setting.read)(scene, value, keys)
                 .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
                 let text = |item: &Value| if let Value::Text(text) = item { Some(text.clone()) } else { None };
@@ -47,7 +46,7 @@ impl Key {
                 *place(scene) = steps::read(&texts).map_err(|found| ValueError::new(found, self.remedy()))?;
             }
             (Kind::Shape(place), Value::Text(word)) => {
-                let name = self.pick(&shape::names(), word)?;
+                let name = self.pick(&shape_names(), word)?;
                 place(scene).take_shape(name);
                 if !matches!(place(scene), Substrate::Profile(_)) {
                     scene.table_texts.substrate.clear();
@@ -137,10 +136,10 @@ impl Key {
         }
     }
 
-    /// What the scene holds for this key; nothing for a bound that is not set.
-    pub fn value(&self, scene: &Scene) -> Option<Value> {
+    /// What the scene holds for this key of a list; nothing for a bound that is not set.
+    pub(crate) fn held(&self, keys: &[Key], scene: &Scene) -> Option<Value> {
         if let Kind::Setting(setting) = self.kind {
-            return (setting.write)(scene);
+            return (setting.write)(scene, keys);
         }
         let mut scene = scene.clone();
         Some(match self.kind {

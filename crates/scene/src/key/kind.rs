@@ -1,7 +1,8 @@
-//! What a key takes, and where in a scene its value goes.
+//! One key of a scene: what it takes, and where in a scene its value goes.
 
-use crate::form::Form;
+use super::table::Table;
 use crate::scene::Scene;
+use crate::value::form::Form;
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
 use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
@@ -28,10 +29,10 @@ pub struct Setting {
     pub form: fn() -> Form,
     /// A value that is right, as it stands in a scene
     pub example: &'static str,
-    /// Puts a value into the scene
-    pub read: fn(&mut Scene, &Value) -> Result<(), Fault>,
+    /// Puts a value into the scene, which may name keys of this list
+    pub read: fn(&mut Scene, &Value, &[Key]) -> Result<(), Fault>,
     /// What the scene holds; nothing where it does not ask for the analysis
-    pub write: fn(&Scene) -> Option<Value>,
+    pub write: fn(&Scene, &[Key]) -> Option<Value>,
 }
 
 /// What a key takes, and where in the scene its value goes.
@@ -83,4 +84,78 @@ pub enum Kind {
     Setting(&'static Setting),
     /// A list of motions of the grip before the pull.
     Steps(fn(&mut Scene) -> &mut Vec<Step>),
+}
+
+/// A key of a scene.
+#[derive(Debug)]
+pub struct Key {
+    /// The table it stands in; empty at the top of the file.
+    pub table: &'static str,
+    /// That table
+    pub(crate) of: &'static Table,
+    /// Its name within the table.
+    pub name: &'static str,
+    /// Whether a scene has to hold it.
+    pub need: Need,
+    /// What it takes.
+    pub kind: Kind,
+    /// What it means, in a few words.
+    pub about: &'static str,
+    /// Words and symbol of an axis; empty of a key that is no number
+    pub(crate) title: (&'static str, &'static str),
+    /// Whether a scene in space alone has it
+    pub(crate) of_space: bool,
+}
+
+impl Key {
+    /// `strip.length`
+    pub fn path(&self) -> String {
+        if self.table.is_empty() { self.name.to_owned() } else { format!("{}.{}", self.table, self.name) }
+    }
+
+    /// Whether only a scene in space has it. Where a scene gives it and says nothing of `space`, it is in space.
+    pub fn is_of_space(&self) -> bool {
+        self.of_space
+    }
+
+    /// The unit of its number inside the library: `nm`; empty where it has none.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => dimension.unit(),
+            _ => "",
+        }
+    }
+
+    /// The key with the unit of its number, as an axis is labelled.
+    pub fn label(&self) -> String {
+        if self.unit().is_empty() { self.path() } else { format!("{} ({})", self.path(), self.unit()) }
+    }
+
+    /// Whether it takes one number, with a unit or without.
+    pub fn is_numeric(&self) -> bool {
+        let Self { kind, .. } = self;
+        matches!(kind, Kind::Number(..) | Kind::Measure(..) | Kind::Quantity(..) | Kind::Bound(..) | Kind::Share(..))
+            || self.is_count()
+    }
+
+    /// Whether it takes a whole number.
+    pub fn is_count(&self) -> bool {
+        matches!(self.kind, Kind::Count(..) | Kind::Fixed(..))
+    }
+
+    /// Whether its number is written without a decimal point.
+    pub fn is_written_whole(&self, number: f64) -> bool {
+        self.is_count() || matches!(self.kind, Kind::Setting(_)) && number.fract() == 0.0
+    }
+
+    /// Whether its value may be the name of a file.
+    pub(crate) fn reads_a_file(&self) -> bool {
+        matches!(self.kind, Kind::Table(_) | Kind::Heights(_))
+    }
+
+    /// Whether its values are TOML strings.
+    pub(crate) fn is_text(&self) -> bool {
+        let plain = matches!(self.kind, Kind::Number(..) | Kind::Share(..) | Kind::Flag(_) | Kind::InSpace);
+        !plain && !matches!(self.kind, Kind::Steps(_) | Kind::Pieces(_) | Kind::Setting(_)) && !self.is_count()
+    }
 }

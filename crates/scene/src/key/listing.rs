@@ -1,18 +1,42 @@
-//! A key in a few words, as a list of keys shows it: its default and what it may be.
+//! A key in a few words, as a list of keys shows it: the title of its axis, and what it may be.
 
-use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
-use super::kind::{Kind, Need};
-use crate::form::Form;
-use crate::scene::Scene;
-use crate::shape;
+use super::kind::{Key, Kind};
+use crate::body::shape_names;
+use crate::value::form::Form;
 use crate::value::pieces::PIECE;
 use crate::value::quantity::Dimension;
-use crate::value::{Value, show, steps};
-use peelkit::model::{Range, angle_text};
+use crate::value::{show, steps};
+use peelkit::model::Range;
 use peelkit::study::FollowedUntil;
 
 impl Key {
+    /// The key as the title of an axis, in [`Key::usual_unit`]: "height of the section h (nm)".
+    pub fn axis_title(&self) -> String {
+        self.title_in(self.usual_unit())
+    }
+
+    /// The same in the unit of the library, [`Key::unit`]: angles are in rad.
+    pub fn axis_title_in_library_unit(&self) -> String {
+        self.title_in(self.unit())
+    }
+
+    fn title_in(&self, unit: &str) -> String {
+        let (words, symbol) = if self.title.0.is_empty() { (self.about, "") } else { self.title };
+        let symbol = if symbol.is_empty() { String::new() } else { format!(" {symbol}") };
+        let unit = match unit {
+            "" => String::new(),
+            "J/m2" => " (J/m²)".to_owned(),
+            unit => format!(" ({unit})"),
+        };
+        format!("{words}{symbol}{unit}")
+    }
+
+    /// How many of [`Key::usual_unit`] one unit of the library is: 180/π for an angle, or else 1.
+    pub fn per_usual_unit(&self) -> f64 {
+        if self.usual_unit() == self.unit() { 1.0 } else { 1f64.to_degrees() }
+    }
+
     /// The unit that a list shows: of the library, but degrees for an angle; empty where the key takes no unit.
     pub fn usual_unit(&self) -> &'static str {
         self.dimension().map_or("", Dimension::usual_unit)
@@ -23,40 +47,6 @@ impl Key {
         match self.kind {
             Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => Some(dimension),
             _ => None,
-        }
-    }
-
-    /// What holds where a scene does not give the key, in words: "1 nm", "90 deg", "none", "automatic", "required".
-    pub fn default_text(&self) -> String {
-        if self.need == Need::Required {
-            return self.required_text();
-        }
-        match (&self.kind, self.value(&Scene::of_defaults())) {
-            (Kind::Text(_), _) => "file name".into(),
-            (Kind::Fixed(..) | Kind::Share(..), _) if self.table == "accuracy" => "automatic".into(),
-            (Kind::Bound(..), None) => "none".into(),
-            (Kind::Steps(_), _) => "[]".into(),
-            (Kind::Setting(_), Some(Value::List(items))) if items.is_empty() => "[]".into(),
-            (Kind::Setting(_), Some(Value::List(items))) => {
-                let text = |item: &Value| if let Value::Text(text) = item { text.clone() } else { item.to_string() };
-                items.iter().map(text).collect::<Vec<_>>().join(", ")
-            }
-            (_, Some(Value::Number(angle))) if self.dimension() == Some(Dimension::Angle) => angle_text(angle),
-            // an angle per length of zero is that in any unit
-            (_, Some(Value::Number(0.0))) if !self.unit().is_empty() => format!("0 {}", self.usual_unit()),
-            (_, Some(Value::Number(number))) if !self.unit().is_empty() => format!("{} {}", show(number), self.unit()),
-            (_, Some(Value::Text(text))) => text,
-            (_, Some(value)) => value.to_string(),
-            (_, None) => "none".into(),
-        }
-    }
-
-    /// That a scene has to hold it, or what in its place.
-    fn required_text(&self) -> String {
-        match self.alternative() {
-            Some(other) => format!("required, or {other}"),
-            None if self.table == "adhesion" => "or work and strength".into(),
-            None => "required".into(),
         }
     }
 
@@ -112,7 +102,7 @@ impl Key {
             Kind::Start(_) => words(STARTS),
             Kind::Terms(_) => words(TERMS),
             Kind::Until(_) => words(&FollowedUntil::NAMED),
-            Kind::Shape(_) => words(&shape::names()),
+            Kind::Shape(_) => words(&shape_names()),
             _ => Vec::new(),
         }
     }

@@ -1,11 +1,9 @@
 //! What is said about a key: what it takes, an example, and what is wrong with a value.
 
-use super::Key;
 use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
-use super::kind::Kind;
-use crate::error::{ValueError, one_line};
-use crate::near::nearest;
-use crate::shape;
+use super::kind::{Key, Kind};
+use crate::body::shape_names;
+use crate::error::{ValueError, nearest, one_line};
 use crate::value::quantity::{Comma, Dimension, QuantityError};
 use crate::value::{Value, pieces, quoted, show, steps};
 use peelkit::model::Range;
@@ -41,7 +39,7 @@ impl Key {
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
-            Kind::Shape(_) => words(&shape::names()),
+            Kind::Shape(_) => words(&shape_names()),
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns x_nm and \
                                height_nm"

@@ -1,56 +1,33 @@
-//! What of a scene is fitted to a measured curve, and how: the table `fit`.
+//! The table `fit`: what each of its keys takes, and how it is read and written.
 
-use crate::error::{ValueError, one_line};
-use crate::form::Form;
-use crate::key::Key;
-use crate::key::kind::Setting;
-use crate::keys::find_key;
-use crate::near::nearest;
-use crate::scene::Scene;
-use crate::value::{Fault, Value, quoted, show};
-use peelkit::study::{FitOptions, FitParameter, Loss, ParameterOf, ProfileChoice};
-
-/// The table `fit`.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FitTable {
-    /// What is fitted
-    pub parameters: Vec<FittedKey>,
-    /// Measured displacement of the first jump, nm; none: looked for
-    pub jump: Option<f64>,
-    /// How
-    pub options: FitOptions,
-}
-
-/// A key that is fitted.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FittedKey {
-    /// `strip.youngs_modulus`
-    pub path: String,
-    /// Lower bound, in the unit of the library
-    pub from: Option<f64>,
-    /// Upper bound
-    pub to: Option<f64>,
-}
+use super::bounded::{BOUNDED, bounded, written};
+use crate::error::{nearest, one_line};
+use crate::key::kind::{Key, Setting};
+use crate::key::list::find;
+use crate::scene::studies::FittedKey;
+use crate::value::form::Form;
+use crate::value::{Fault, Value, quoted};
+use peelkit::study::{Loss, ProfileChoice};
 
 /// The table's name.
 pub(crate) const TABLE: &str = "fit";
 /// The key of the table that may be fitted itself.
-const ZERO: &str = "fit.displacement_zero";
+pub(crate) const ZERO: &str = "fit.displacement_zero";
 /// Tables whose numbers are no parameters of a model.
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
 /// `parameters`
 pub(crate) static PARAMETERS: Setting = Setting {
-    takes: "a list of texts, each a key with a number in the scene and, optionally, bounds: \"strip.youngs_modulus\", \"strip.youngs_modulus \
-            from 1 GPa to 5 GPa\"",
-    brief: "list of texts",
-    example: "[\"strip.youngs_modulus from 1 GPa to 5 GPa\"]",
-    form: || Form::list(Form::OfKey),
-    read: |scene, value| {
+    takes: "a list of keys with a number in the scene, each a text or, with bounds, a table of its `key`, `from` and `to`; one bound may be left \
+            out",
+    brief: "list of keys",
+    example: "[{ key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }]",
+    form: || Form::list(Form::Either(Box::new(Form::OfKey), Box::new(Form::Table(BOUNDED)))),
+    read: |scene, value, keys| {
         let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
-        of(scene).parameters = read(items)?;
+        scene.fit_table().parameters = read(items, keys)?;
         Ok(())
     },
-    write: |scene| Some(written(&scene.fit.as_ref()?.parameters)),
+    write: |scene, keys| Some(written_list(&scene.fit.as_ref()?.parameters, keys)),
 };
 
 /// `loss`
@@ -59,11 +36,11 @@ pub(crate) static LOSS: Setting = Setting {
     brief: "one of three words",
     example: "\"huber\"",
     form: || Form::word(LOSSES),
-    read: |scene, value| {
-        of(scene).options.loss = picked(LOSSES, value)?;
+    read: |scene, value, _| {
+        scene.fit_table().options.loss = picked(LOSSES, value)?;
         Ok(())
     },
-    write: |scene| Some(word(LOSSES, scene.fit.as_ref()?.options.loss)),
+    write: |scene, _| Some(word(LOSSES, scene.fit.as_ref()?.options.loss)),
 };
 
 /// `profile`
@@ -72,11 +49,11 @@ pub(crate) static PROFILE: Setting = Setting {
     brief: "poor, all, none",
     example: "\"all\"",
     form: || Form::word(PROFILES),
-    read: |scene, value| {
-        of(scene).options.profile = picked(PROFILES, value)?;
+    read: |scene, value, _| {
+        scene.fit_table().options.profile = picked(PROFILES, value)?;
         Ok(())
     },
-    write: |scene| Some(word(PROFILES, scene.fit.as_ref()?.options.profile)),
+    write: |scene, _| Some(word(PROFILES, scene.fit.as_ref()?.options.profile)),
 };
 
 const LOSSES: &[(&str, Loss)] = &[("squares", Loss::Squares), ("huber", Loss::Huber), ("soft-l1", Loss::SoftL1)];
@@ -97,21 +74,21 @@ fn word<T: Copy + PartialEq>(words: &[(&str, T)], choice: T) -> Value {
     Value::Text(words.iter().find(|(_, own)| *own == choice).map_or("", |(word, _)| word).to_owned())
 }
 
-/// The table of a scene, which has one from now on.
-pub(crate) fn of(scene: &mut Scene) -> &mut FitTable {
-    scene.fit.get_or_insert_default()
-}
-
 /// Reads the list of parameters.
-fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
+fn read(items: &[Value], keys: &[Key]) -> Result<Vec<FittedKey>, Fault> {
     let mut found: Vec<FittedKey> = Vec::new();
     for (index, item) in items.iter().enumerate() {
         let number = index + 1;
-        let Value::Text(text) = item else {
-            return Err(Fault::at(index, format!("has as parameter {number} {item}, which is no text")));
+        let one = match item {
+            Value::Text(text) => {
+                one(text, keys).map_err(|why| format!("has as parameter {number} \"{}\", {why}", one_line(text)))
+            }
+            Value::Table(entries) => of_table(entries, keys).map_err(|why| format!("has in parameter {number} {why}")),
+            item => Err(format!(
+                "has as parameter {number} {item}, which is neither a text nor a table of a key and its bounds"
+            )),
         };
-        let one = one(text)
-            .map_err(|why| Fault::at(index, format!("has as parameter {number} \"{}\", {why}", one_line(text))))?;
+        let one = one.map_err(|found| Fault::at(index, found))?;
         if found.iter().any(|other| other.path == one.path) {
             return Err(Fault::at(index, format!("names `{}` twice", one.path)));
         }
@@ -120,11 +97,29 @@ fn read(items: &[Value]) -> Result<Vec<FittedKey>, Fault> {
     Ok(found)
 }
 
-/// One of them; else what is wrong with it.
-fn one(text: &str) -> Result<FittedKey, String> {
+/// One of them that is a table; else what is wrong with it.
+fn of_table(entries: &[(String, Value)], keys: &[Key]) -> Result<FittedKey, String> {
+    let (key, from, to) = bounded(entries, BOUNDED, keys)?;
+    let path = key.path();
+    if !is_parameter(key) {
+        return Err(format!("`{path}`, which is not a number of the model"));
+    }
+    for (name, value) in [("from", from), ("to", to)] {
+        if value.is_some_and(|value| !key.range().contains(value)) {
+            return Err(format!("a bound `{name}` of `{path}` that is out of range: it takes {}", key.takes()));
+        }
+    }
+    if from.zip(to).is_some_and(|(from, to)| from >= to) {
+        return Err(format!("bounds of `{path}` of which `from` is not below `to`"));
+    }
+    Ok(FittedKey { path, from, to })
+}
+
+/// One of them that is a text, alone or as "strip.height from 2 nm to 20 nm"; else what is wrong with it.
+fn one(text: &str, keys: &[Key]) -> Result<FittedKey, String> {
     let mut words = text.split_whitespace();
     let path = words.next().unwrap_or_default();
-    let key = find_key(path).map_err(|problem| match problem.remedy.starts_with("Did you mean") {
+    let key = find(keys, path).map_err(|problem| match problem.remedy.starts_with("Did you mean") {
         true => format!("which {}: {}", problem.found, lowered(&problem.remedy)),
         false => format!("which {}", problem.found),
     })?;
@@ -167,67 +162,11 @@ fn is_parameter(key: &Key) -> bool {
     key.is_numeric() && !key.is_count() && (of_model || key.path() == ZERO)
 }
 
-/// The list as a scene writes it.
-fn written(parameters: &[FittedKey]) -> Value {
-    let text = |fitted: &FittedKey| {
-        let unit = find_key(&fitted.path).map_or("", |key| key.unit());
-        let bound =
-            |name: &str, value: Option<f64>| value.map(|value| format!(" {name} {value} {unit}").trim_end().to_owned());
-        let (from, to) = (bound("from", fitted.from), bound("to", fitted.to));
-        Value::Text(format!("{}{}{}", fitted.path, from.unwrap_or_default(), to.unwrap_or_default()))
+/// The list as a scene writes it: keys without bounds as texts.
+fn written_list(parameters: &[FittedKey], keys: &[Key]) -> Value {
+    let one = |FittedKey { path, from, to }: &FittedKey| match (from, to) {
+        (None, None) => Value::Text(path.clone()),
+        _ => written(path, *from, *to, keys),
     };
-    Value::List(parameters.iter().map(text).collect())
-}
-
-/// What is wrong with the list of a scene whose other keys are right.
-pub(crate) fn conflict(scene: &Scene) -> Option<ValueError> {
-    let table = scene.fit.as_ref()?;
-    table.parameters.iter().find_map(|fitted| parameter(scene, fitted).err())
-}
-
-/// A parameter with the value that it has in the scene.
-fn parameter(scene: &Scene, fitted: &FittedKey) -> Result<FitParameter, ValueError> {
-    let FittedKey { path, from, to } = fitted;
-    let key = find_key(path)?;
-    if !key.belongs_to(scene) {
-        let problem = key.foreign(scene);
-        return Err(ValueError::new(format!("names `{path}`, which {}", problem.found), problem.remedy));
-    }
-    let Some(Value::Number(initial)) = key.value(scene) else {
-        return Err(ValueError::new(
-            format!("names `{path}`, which has no value in the scene"),
-            format!("Add `{path}` with the value at which the search begins, for example {}.", key.example_line()),
-        ));
-    };
-    let (low, high) = (from.unwrap_or(f64::NEG_INFINITY), to.unwrap_or(f64::INFINITY));
-    if !(low <= initial && initial <= high) {
-        return Err(ValueError::new(
-            format!("gives `{path}` bounds that do not hold its value in the scene, {} {}", show(initial), key.unit()),
-            "The search begins at the value of the scene: give bounds around it.",
-        ));
-    }
-    let of = if path == ZERO { ParameterOf::DisplacementZero } else { ParameterOf::Model };
-    Ok(FitParameter { key: path.clone(), initial, range: key.range(), from: *from, to: *to, of })
-}
-
-impl Scene {
-    /// The parameters that the table `fit` names, each with the value that it has in the scene.
-    ///
-    /// Fails as a scene does that names what it does not have.
-    pub fn fit_parameters(&self) -> Result<Vec<FitParameter>, ValueError> {
-        let table = self.fit.iter().flat_map(|table| &table.parameters);
-        table.map(|fitted| parameter(self, fitted)).collect()
-    }
-
-    /// The scene with other values of these keys, in the unit of the library, whatever they are: the check of the model refuses those that are
-    /// out of range.
-    pub fn with_numbers<'k>(&self, numbers: impl IntoIterator<Item = (&'k str, f64)>) -> Self {
-        let mut scene = self.clone();
-        for (path, value) in numbers {
-            if let Ok(key) = find_key(path) {
-                key.put_number(&mut scene, value);
-            }
-        }
-        scene
-    }
+    Value::List(parameters.iter().map(one).collect())
 }

@@ -1,9 +1,8 @@
-//! The tables of a scene beside its body: each knows its keys, what goes together in it, and what it makes of them.
+//! Tables of a scene beside its body: what their keys take, and what goes together in them.
 
-pub(crate) mod bounds;
+mod bounded;
 pub(crate) mod fit;
-pub(crate) mod optimisation;
+pub(crate) mod optimise;
 pub(crate) mod rate;
 pub(crate) mod seta;
-pub(crate) mod tips;
 pub(crate) mod uncertainty;

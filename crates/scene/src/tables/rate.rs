@@ -1,40 +1,17 @@
 //! A pull at a rate: the table `time`, and what it says of the material, the grip and the steps in time.
 
-use super::seta::SetaTable;
-use super::tips::SetaTipLaw;
 use crate::error::{Origin, SceneError, ValueError};
-use crate::form::Form;
 use crate::key::kind::Setting;
 use crate::scene::Scene;
+use crate::scene::rate::{FLOWS, NS_PER_S, TimeTable};
+use crate::scene::seta::{SetaTable, SetaTipLaw};
+use crate::value::form::Form;
 use crate::value::{Fault, Value, quoted};
-use peelkit::beam::Viscosity;
-use peelkit::model::MovingMaterial;
 use peelkit::study::{FollowedUntil, PullRate, SetaPullRate, SetaTimeAccuracy, Terms, TimeAccuracy, Until};
 use std::ops::Range;
 
 /// The table of a scene.
 pub(crate) const TABLE: &str = "time";
-/// The library counts times in ns, a scene in s.
-const NS_PER_S: f64 = 1e9;
-
-/// How the material of a beam flows; its times and its ratio are keys of their own.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Flow {
-    /// Not at all
-    #[default]
-    Elastic,
-    /// A spring beside a dashpot
-    KelvinVoigt,
-    /// A spring beside a spring and a dashpot in series
-    StandardLinearSolid,
-}
-
-/// The words for it.
-const FLOWS: [(&str, Flow); 3] = [
-    ("elastic", Flow::Elastic),
-    ("kelvin-voigt", Flow::KelvinVoigt),
-    ("standard-linear-solid", Flow::StandardLinearSolid),
-];
 
 /// `material`
 pub(crate) static MATERIAL: Setting = Setting {
@@ -42,19 +19,15 @@ pub(crate) static MATERIAL: Setting = Setting {
     brief: "one of three words",
     example: "\"elastic\"",
     form: || Form::word(&FLOWS),
-    read: |scene, value| {
+    read: |scene, value, _| {
         let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no word"))) };
         let found = FLOWS.iter().find(|(word, _)| word == text);
         let none = || Fault::whole(format!("is {}, which is none of its values", quoted(text)));
-        of(scene).material = found.ok_or_else(none)?.1;
+        scene.time_table().material = found.ok_or_else(none)?.1;
         Ok(())
     },
-    write: |scene| Some(Value::Text(word(scene.time.as_ref()?.material).to_owned())),
+    write: |scene, _| Some(Value::Text(scene.time.as_ref()?.material.word().to_owned())),
 };
-
-fn word(flow: Flow) -> &'static str {
-    FLOWS.iter().find(|(_, own)| *own == flow).map_or("", |(word, _)| word)
-}
 
 /// That a scene is pulled at a rate, where equilibria are followed.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
@@ -63,81 +36,6 @@ pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
         "Give the scene to one of them, or remove [time] to follow the equilibria.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
-}
-
-/// A pull at a rate as a scene gives it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TimeTable {
-    /// Velocity of what moves the grip, m/s
-    pub rate: f64,
-    /// ρ, kg/m³
-    pub density: f64,
-    /// How the material flows
-    pub material: Flow,
-    /// τ of Kelvin and Voigt's material, s
-    pub retardation_time: Option<f64>,
-    /// τ of a standard linear solid, s
-    pub relaxation_time: Option<f64>,
-    /// E₀/E∞ of a standard linear solid
-    pub stiffness_ratio: Option<f64>,
-    /// Where the grip comes to rest, nm; none: as far away as the body is long, or the seta
-    pub displacement: Option<f64>,
-    /// How long it is followed at rest, s; none: it ends where nothing adheres, or where the grip comes to rest
-    pub held: Option<f64>,
-    /// On how much of its way the grip accelerates, nm; none: a tenth of what moves a section by r0, of a seta 20 nm
-    pub acceleration: Option<f64>,
-    /// Error of a step in time, over the gap at rest, of a seta over 10 nm and 0.01 rad
-    pub tolerance: f64,
-}
-
-impl Default for TimeTable {
-    /// An elastic material; rate and density are NaN until a text gives them.
-    fn default() -> Self {
-        Self {
-            rate: f64::NAN,
-            density: f64::NAN,
-            material: Flow::Elastic,
-            retardation_time: None,
-            relaxation_time: None,
-            stiffness_ratio: None,
-            displacement: None,
-            held: None,
-            acceleration: None,
-            tolerance: TimeAccuracy::default().tolerance,
-        }
-    }
-}
-
-impl TimeTable {
-    /// The keys of a material with what they hold, and whose they are.
-    fn of_materials(&self) -> [(&'static str, Option<f64>, Flow); 3] {
-        [
-            ("retardation_time", self.retardation_time, Flow::KelvinVoigt),
-            ("relaxation_time", self.relaxation_time, Flow::StandardLinearSolid),
-            ("stiffness_ratio", self.stiffness_ratio, Flow::StandardLinearSolid),
-        ]
-    }
-
-    /// The material as it moves. What it lacks is NaN, which a scene that was read does not.
-    pub fn moving_material(&self) -> MovingMaterial {
-        let ns = |time: Option<f64>| NS_PER_S * time.unwrap_or(f64::NAN);
-        let viscosity = match self.material {
-            Flow::Elastic => Viscosity::Elastic,
-            Flow::KelvinVoigt => Viscosity::KelvinVoigt { retardation_time: ns(self.retardation_time) },
-            Flow::StandardLinearSolid => Viscosity::StandardLinearSolid {
-                relaxation_time: ns(self.relaxation_time),
-                stiffness_ratio: self.stiffness_ratio.unwrap_or(f64::NAN),
-            },
-        };
-        MovingMaterial { density: self.density, viscosity }
-    }
-}
-
-/// The table of a scene, which has one from now on. The steps of a seta have a tolerance of their own.
-pub(crate) fn of(scene: &mut Scene) -> &mut TimeTable {
-    let usual = TimeTable::default();
-    let tolerance = if scene.seta.is_some() { SetaTimeAccuracy::default().tolerance } else { usual.tolerance };
-    scene.time.get_or_insert(TimeTable { tolerance, ..usual })
 }
 
 impl Scene {
@@ -180,13 +78,13 @@ impl Scene {
 /// What of a pull at a rate is wrong: by the key of the scene.
 pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let table = scene.time.as_ref()?;
-    let own = word(table.material);
+    let own = table.material.word();
     for (key, value, flow) in table.of_materials() {
         match (value, flow == table.material) {
             (Some(_), false) => {
                 let problem = ValueError::new(
                     format!("is given, and the material of the pull at a rate is \"{own}\""),
-                    format!("Remove `{key}`, or write material = \"{}\" in [time].", word(flow)),
+                    format!("Remove `{key}`, or write material = \"{}\" in [time].", flow.word()),
                 );
                 return Some((format!("{TABLE}.{key}"), problem));
             }

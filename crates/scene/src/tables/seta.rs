@@ -1,126 +1,18 @@
-//! A seta: its table, which keys a scene with one has, and what it says of the tips.
+//! A seta: what the keys of its tips take, how its root is moved, and what of it cannot be computed.
 
-use super::tips;
-use super::tips::SetaTipLaw;
-use crate::bodies::set_body;
 use crate::error::{Origin, SceneError, ValueError};
-use crate::key::Key;
+use crate::key::kind::Setting;
 use crate::scene::Scene;
-use peelkit::model::{
-    Grip, Hold, ModelError, ModelErrorKind, Moved, NormalPull, PeelModel, PullCurve, Seta, SetaError, Sideways, Space,
-    Step, TipLaw,
-};
+use crate::scene::seta::{SetaTable, SetaTipLaw, TIP_LAWS};
+use crate::value::form::Form;
+use crate::value::{Fault, Value, quoted};
+use peelkit::model::{ModelError, ModelErrorKind, Moved, SetaError, Step};
 use peelkit::solve::Direction;
-use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use peelkit::study::{SetaLoading, SetaStep, StepEnd};
 use std::ops::Range;
-use std::sync::Arc;
 
 /// The table of a scene.
 pub(crate) const TABLE: &str = "seta";
-
-/// The other tables and keys of a scene with a seta. The tables of a body and of adhesion describe its tips.
-const OTHERS: [(&str, &[&str]); 12] = [
-    ("", &["title"]),
-    ("strip", &[]),
-    ("spatula", &[]),
-    ("profile", &[]),
-    ("adhesion", &[]),
-    ("drive", &["angle", "azimuth", "steps"]),
-    ("accuracy", &["relative", "order"]),
-    ("bounds", &[]),
-    ("fit", &[]),
-    ("optimise", &[]),
-    ("uncertainty", &[]),
-    (
-        "time",
-        &[
-            "rate",
-            "density",
-            "material",
-            "retardation_time",
-            "relaxation_time",
-            "stiffness_ratio",
-            "displacement",
-            "acceleration",
-            "tolerance",
-        ],
-    ),
-];
-
-/// The error that a table of tips may have where the scene does not say it.
-const TIP_TOLERANCE: f64 = 1e-3;
-
-/// A seta as a scene gives it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SetaTable {
-    /// Geometry and material
-    pub seta: Seta,
-    /// Of what holds a tip along the ground to the place where it began to adhere, nN/nm; none: tips slide freely
-    pub lateral_stiffness: Option<f64>,
-    /// Height above its place at rest at which a detached tip adheres again, nm
-    pub contact_height: f64,
-    /// Force with which the seta is pressed on before all steps, nN; none: every tip adheres at the start
-    pub preload: Option<f64>,
-    /// What its tips follow
-    pub tip_law: SetaTipLaw,
-    /// Folder of `peel coarsen` with their table, as the scene names it; none: the table is computed
-    pub tip_table: Option<String>,
-    /// Error that the table may have, over the largest force and the largest moment
-    pub tip_tolerance: f64,
-    /// How near to where they snap off tips are solved as spatulae, nm; none: they follow the table there as well
-    pub resolve_within: Option<f64>,
-}
-
-/// How high a seta that is pressed on starts above the height at which its highest tip would adhere, nm.
-const CLEARANCE: f64 = 1.0;
-/// The same of tips that follow their table, whose attraction says itself where they adhere.
-const OUT_OF_REACH: f64 = 100.0;
-
-impl Default for SetaTable {
-    /// The default seta; its angle is that of the text "60 deg", to the last bit.
-    fn default() -> Self {
-        let seta = Seta { shaft_angle: 60.0 * 1f64.to_radians(), ..Seta::default() };
-        Self {
-            seta,
-            lateral_stiffness: None,
-            contact_height: 0.0,
-            preload: None,
-            tip_law: SetaTipLaw::default(),
-            tip_table: None,
-            tip_tolerance: TIP_TOLERANCE,
-            resolve_within: None,
-        }
-    }
-}
-
-impl SetaTable {
-    /// The law of its tips, of which each follows this curve.
-    pub fn law(&self, curve: PullCurve) -> Arc<dyn TipLaw> {
-        Arc::new(NormalPull { curve, sideways: self.sideways(), contact_height: self.contact_height })
-    }
-
-    /// What holds its tips along the ground.
-    pub fn sideways(&self) -> Sideways {
-        self.lateral_stiffness.map_or(Sideways::Free, Sideways::Held)
-    }
-
-    /// From its tips to its root, upright, nm: how far the root is moved at most.
-    pub(crate) fn height(&self) -> f64 {
-        self.seta.shaft_length + self.seta.brush_height
-    }
-
-    /// How it starts: adhering, or above the ground where it is pressed on first.
-    fn start(&self) -> SetaStart {
-        let clearance = match self.tip_law {
-            SetaTipLaw::Curve => CLEARANCE,
-            SetaTipLaw::Table => OUT_OF_REACH,
-        };
-        match self.preload {
-            None => SetaStart::Adhering,
-            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + clearance),
-        }
-    }
-}
 
 /// That a scene is one of a seta, where a single beam is peeled.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
@@ -129,51 +21,6 @@ pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
         "Give the scene to one of them, or remove [seta] to peel one of its tips.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
-}
-
-/// The seta of a scene, which becomes one with a seta.
-pub(crate) fn of(scene: &mut Scene) -> &mut SetaTable {
-    scene.seta.get_or_insert_default()
-}
-
-/// Makes the scene one with a seta, whose root is moved in space; its tips are spatulae where it names no body.
-pub(crate) fn begin(scene: &mut Scene, without_body: bool) {
-    of(scene);
-    scene.model.space = Some(Space::default());
-    if without_body {
-        set_body(scene, "spatula");
-    }
-}
-
-/// Whether a scene with a seta has this key.
-pub(crate) fn has(table: &str, name: &str) -> bool {
-    table == TABLE || OTHERS.iter().any(|(of, names)| *of == table && (names.is_empty() || names.contains(&name)))
-}
-
-/// That a scene without one has no such key, or that a scene with one has not.
-pub(crate) fn foreign(scene: &Scene, key: &Key) -> ValueError {
-    match &scene.seta {
-        None => ValueError::new(
-            "is a key of [seta], a table that the scene does not have",
-            "Add the table [seta] to the scene; scenes/seta.toml is one with a seta.",
-        ),
-        Some(_) => ValueError::new(
-            "is given, and the scene has a [seta], which has no such key",
-            format!(
-                "Remove `{}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
-                key.name
-            ),
-        ),
-    }
-}
-
-impl Scene {
-    /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
-    /// tips is computed of.
-    pub fn tip_model(&self) -> PeelModel {
-        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
-        PeelModel::of(self.model.body.clone(), self.model.adhesion, grip)
-    }
 }
 
 impl Scene {
@@ -232,7 +79,7 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         let remedy = "The keys of [seta] with their ranges are listed by `peel keys seta`.";
         return Some((format!("{TABLE}.{key}"), ValueError::new(format!("cannot be computed: {error}"), remedy)));
     }
-    if let Some((key, problem)) = tips::problem(table) {
+    if let Some((key, problem)) = problem_of_tips(table) {
         return Some((format!("{TABLE}.{key}"), problem));
     }
     let of_step = |(index, &step): (usize, &Step)| match step.check() {
@@ -247,4 +94,84 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         )),
     };
     scene.model.steps.iter().enumerate().find_map(of_step).map(|problem| ("drive.steps".to_owned(), problem))
+}
+
+fn text(value: &Value) -> Result<&str, Fault> {
+    match value {
+        Value::Text(text) => Ok(text),
+        other => Err(Fault::whole(format!("is {other}, and takes a text in quotes"))),
+    }
+}
+
+/// `tip_law`
+pub(crate) static TIP_LAW: Setting = Setting {
+    takes: "\"curve\", the normal pull of their spatula, or \"table\", its force and moment at any height and rotation",
+    brief: "curve, table",
+    example: "\"table\"",
+    form: || Form::word(&TIP_LAWS),
+    read: |scene, value, _| {
+        let word = text(value)?;
+        let found = TIP_LAWS.iter().find(|(name, _)| *name == word);
+        scene.seta_table().tip_law =
+            found.ok_or_else(|| Fault::whole(format!("is {}, no law of tips", quoted(word))))?.1;
+        Ok(())
+    },
+    write: |scene, _| {
+        let law = scene.seta.as_ref()?.tip_law;
+        let (word, _) = TIP_LAWS.iter().find(|(_, own)| *own == law)?;
+        Some(Value::Text((*word).to_owned()))
+    },
+};
+
+/// `tip_table`
+pub(crate) static TIP_TABLE: Setting = Setting {
+    takes: "the name of a folder in quotes that `peel coarsen` has written, beside the scene; without it the run computes the table",
+    brief: "a folder",
+    example: "\"out/spatula-tip\"",
+    form: || Form::Text,
+    read: |scene, value, _| {
+        let folder = text(value)?;
+        if folder.trim().is_empty() {
+            return Err(Fault::whole("is empty, and takes the name of a folder".to_owned()));
+        }
+        scene.seta_table().tip_table = Some(folder.to_owned());
+        Ok(())
+    },
+    write: |scene, _| Some(Value::Text(scene.seta.as_ref()?.tip_table.clone()?)),
+};
+
+/// What of the keys of the tips does not fit the rest: by the key of the table.
+fn problem_of_tips(table: &SetaTable) -> Option<(&'static str, ValueError)> {
+    let default = SetaTable::default();
+    match table.tip_law {
+        SetaTipLaw::Curve if table.tip_table.is_some() => Some((
+            "tip_table",
+            ValueError::new(
+                "names a table, and the tips follow the curve of their normal pull",
+                "Give seta.tip_law = \"table\", or remove `tip_table`.",
+            ),
+        )),
+        SetaTipLaw::Curve if table.tip_tolerance != default.tip_tolerance => Some((
+            "tip_tolerance",
+            ValueError::new(
+                "is that of a table, and the tips follow the curve of their normal pull",
+                "Give seta.tip_law = \"table\", or remove `tip_tolerance`.",
+            ),
+        )),
+        SetaTipLaw::Curve if table.resolve_within.is_some() => Some((
+            "resolve_within",
+            ValueError::new(
+                "says which tips are no longer taken from a table, and the tips follow the curve of their normal pull",
+                "Give seta.tip_law = \"table\", or remove `resolve_within`.",
+            ),
+        )),
+        SetaTipLaw::Table if table.contact_height != default.contact_height => Some((
+            "contact_height",
+            ValueError::new(
+                "is given, and tips that follow their table adhere again where the attraction pulls them down",
+                "Remove `contact_height`, or give seta.tip_law = \"curve\".",
+            ),
+        )),
+        _ => None,
+    }
 }

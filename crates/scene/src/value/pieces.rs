@@ -1,11 +1,10 @@
 //! The pieces of a profile as a scene writes them.
 
+use super::form::{Entry, Form};
 use super::quantity::Dimension;
 use super::steps::quantity;
 use super::{Fault, Value};
-use crate::error::one_line;
-use crate::form::{Entry, Form};
-use crate::near::nearest;
+use crate::error::{nearest, one_line};
 use peelkit::model::{Piece, ProfilePieces, Range, Transition, angle_text};
 
 /// What a list of pieces takes.

@@ -216,7 +216,7 @@ pub fn parse_quantity(text: &str, dimension: Dimension) -> Result<f64, QuantityE
         }),
         None if is_not_metric(written) => Err(QuantityError::NotMetric { unit: written.to_owned() }),
         None => {
-            let near = crate::near::nearest(written, dimension.units().iter().copied());
+            let near = crate::error::nearest(written, dimension.units().iter().copied());
             Err(QuantityError::UnknownUnit { unit: written.to_owned(), near })
         }
     }

@@ -2,5 +2,4 @@
 pub(crate) mod on_ground;
 pub(crate) mod reduced;
 pub(crate) mod reissner;
-pub(crate) mod rod;
 pub(crate) mod viscous;

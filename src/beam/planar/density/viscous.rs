@@ -8,8 +8,7 @@
 //! an energy of the step. So its tangent is symmetric. The same holds with another factor f for a spring and a dashpot in series.
 //! Source: M. Ortiz, L. Stainier, The variational formulation of viscoplastic constitutive updates, Comput. Methods Appl. Mech. Eng. 171 (1999).
 
-use super::reissner::{ReissnerBeam, stored_from};
-use super::rod::ReissnerRod;
+use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::section::Section;
 use crate::number::Real;

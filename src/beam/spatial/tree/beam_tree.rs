@@ -15,8 +15,7 @@ use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS
 use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::beam::viscosity::Viscosity;
 use crate::number::F64x4;
-use crate::solve::observables::MONITORS;
-use crate::solve::state::State;
+use crate::solve::state::{MONITORS, State};
 use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
 

@@ -6,7 +6,7 @@ use crate::beam::spatial::rest::SpatialRestCurve;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
-use crate::solve::observables::MONITORS;
+use crate::solve::state::MONITORS;
 use nalgebra::{Rotation3, UnitQuaternion, Vector3};
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -10,7 +10,7 @@ use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::solve::error::{Place, Quantity, SolveError};
-use crate::solve::observables::MONITORS;
+use crate::solve::state::MONITORS;
 use crate::solve::system::NodalTerms;
 
 const F: usize = SPATIAL_UNKNOWNS;

@@ -18,8 +18,7 @@ use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS
 use crate::beam::spatial::shared_system::condensed;
 use crate::beam::spatial::spatial_motion::axes_change;
 use crate::solve::error::SolveError;
-use crate::solve::observables::MONITORS;
-use crate::solve::state::State;
+use crate::solve::state::{MONITORS, State};
 use crate::solve::system::{CondensedSystem, NodalTerms, System};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
 use crate::solve::workspace::Workspace;

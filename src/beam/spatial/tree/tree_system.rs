@@ -11,8 +11,7 @@ use crate::beam::spatial::rotation::{Quaternion, apply_transposed};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
 use crate::solve::error::SolveError;
-use crate::solve::observables::MONITORS;
-use crate::solve::state::{Mesh, State};
+use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
 use crate::solve::workspace::Workspace;
 

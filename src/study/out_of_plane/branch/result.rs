@@ -2,10 +2,10 @@
 
 use crate::model::check::error::ModelError;
 use crate::solve::error::SolveError;
-use crate::solve::points::kind::LimitPointKind;
+use crate::solve::points::search::LimitPointKind;
 use crate::study::out_of_plane::result::{OutOfPlaneError, OutOfPlaneLoss};
-use crate::study::peel::points::LimitPoint;
 use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::LimitPoint;
 
 /// The branch on which a strip that is free to leave its plane goes on from the first loss of its stability, followed in
 /// space. It has a mirror image: to the other side the strip does the same, with all rolls, yaws and z the other way.

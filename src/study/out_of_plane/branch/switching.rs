@@ -9,18 +9,20 @@
 //! first point: so large that a² e is a share of the gap that predictions on the path see, and so small that terms of
 //! higher order are less.
 
-use super::embedding::embedded;
 use super::result::{BranchStart, OutOfPlaneBranchError};
-use super::rolled::{Rolled, RolledStrip};
 use crate::beam::planar::planar_beam::{FRONT, PlanarBeam};
+use crate::beam::spatial::end_rotation::{EndRotation, turned};
+use crate::beam::spatial::rest::ALONG_X;
 use crate::beam::spatial::spatial_beam::SpatialBeam;
 use crate::model::problem::beam_problem::BeamProblem;
+use crate::number::gauss::Rule;
 use crate::solve::error::SolveError;
-use crate::solve::observables::Observables;
-use crate::solve::state::State;
+use crate::solve::newton::{NewtonOptions, Solution, solve};
+use crate::solve::state::{Mesh, Observables, PathConstraint, State};
 use crate::solve::system::System;
 use crate::solve::workspace::Workspace;
 use crate::study::out_of_plane::first_loss::Beside;
+use std::num::NonZeroUsize;
 
 /// Roll of the grip whose effect is taken for linear, over the one that moves an edge of its end by r0.
 const LINEAR: f64 = 1e-4;
@@ -191,5 +193,129 @@ impl Switch<'_> {
             if is_planar == in_the_plane { entry } else { 0.0 }
         };
         direction.iter().enumerate().map(part).collect()
+    }
+}
+
+// -- A planar equilibrium as a state of the same strip in space --
+
+/// Points of the rule with which x' is integrated from node to node.
+const POINTS: NonZeroUsize = NonZeroUsize::MIN.saturating_add(7);
+
+/// A planar state, whose front is at S = `front` (nm), on so many elements in space: y and θ as they are, x by
+/// quadrature of x', no z, yaw or roll. It is an equilibrium up to what the two kinds of elements differ by.
+pub(super) fn embedded(
+    (planar, at): (&PlanarBeam, &State),
+    spatial: &SpatialBeam,
+    front: f64,
+    elements: usize,
+) -> State {
+    let at_front = on_mesh((planar, at), spatial, spatial.mesh_at(front, [0.0; 2], elements));
+    let edges = spatial.edges(&at_front, front);
+    if edges == [0.0; 2] { at_front } else { on_mesh((planar, at), spatial, spatial.mesh_at(front, edges, elements)) }
+}
+
+/// The same on a mesh.
+fn on_mesh((planar, at): (&PlanarBeam, &State), spatial: &SpatialBeam, mesh: Mesh) -> State {
+    let (rule, order) = (Rule::new(POINTS), spatial.chain.order());
+    let (mut values, mut x, mut before) = (Vec::new(), 0.0, 0.0);
+    let mut rotations = [0.0; 2];
+    for (element, pair) in mesh.boundaries.windows(2).enumerate() {
+        let last = usize::from(element + 2 == mesh.boundaries.len());
+        for rank in 0..order + last {
+            let place = pair[0] + spatial.chain.node_fraction(rank) * (pair[1] - pair[0]);
+            x += rule.over(before, place).map(|(s, weight)| weight * planar_at(planar, at, s)[2]).sum::<f64>();
+            before = place;
+            let [y, rotation, _] = planar_at(planar, at, place);
+            values.extend([x, y, 0.0]);
+            values.extend(turned([rotation, 0.0, 0.0], ALONG_X));
+            rotations[usize::from(place > 0.0)] = rotation;
+        }
+    }
+    for (end, rotation) in spatial.chain.ends.iter().zip(rotations) {
+        let own = if end.rotation == EndRotation::Angles { rotation } else { 0.0 };
+        values.extend([own, 0.0, 0.0]);
+    }
+    State { mesh, values, force: at.force, history: None }
+}
+
+/// y of the axis, θ and x' at S, of a planar state.
+fn planar_at(beam: &PlanarBeam, at: &State, place: f64) -> [f64; 3] {
+    let ends = &at.mesh.boundaries;
+    let element = ends.partition_point(|&end| end <= place).clamp(1, at.mesh.elements()) - 1;
+    let local = 2.0 * (place - ends[element]) / (ends[element + 1] - ends[element]) - 1.0;
+    let (values, section) = beam.chain.sample(beam.configuration(at), element, local);
+    [values[beam.rotation - 1] + 0.5 * beam.height_at(place), values[beam.rotation], section.horizontal_slope]
+}
+
+// -- Equilibria of a strip in space whose grip is held at a roll, and those of them at which that takes no torque --
+//
+// With its roll held a strip is stable at the branch point as well: these equilibria are regular on either side of it,
+// and for a roll of zero they are the planar path. The torque on the roll a is T(σ, a) = m(σ) a + O(a³) along the path
+// σ, m the moment that rolls the grip by one. So T = 0 has two solutions: a = 0, and the branch, σ = σ* + O(a²).
+
+/// Most solves until the torque is zero.
+const MOST_SOLVES: usize = 14;
+/// It is zero where what is left to go along the path is this share of the place.
+const FOUND: f64 = 1e-13;
+/// Where it does not come nearer than this share any more, that is round-off.
+const ROUND_OFF: f64 = 1e-9;
+/// Error of a solution, relative as in [`crate::solve::System::size`].
+const FINE: f64 = 1e-12;
+
+/// A strip whose grip is held at a roll, by a constraint along its path.
+pub(super) struct RolledStrip<'p> {
+    /// Of a grip whose roll is an unknown
+    pub problem: &'p BeamProblem,
+    /// Of the path constraint
+    pub weights: Observables,
+}
+
+/// An equilibrium of it.
+pub(super) struct Rolled {
+    pub solution: Solution,
+    /// What the grip exerts on the roll, nN·nm
+    pub torque: f64,
+    /// weights · observables
+    pub target: f64,
+}
+
+impl RolledStrip<'_> {
+    /// With the grip held at `roll` (rad), at `target` along the path.
+    pub fn held(&self, start: State, roll: f64, target: f64, ws: &mut Workspace) -> Result<Rolled, SolveError> {
+        let problem = self.problem.with_roll(Some(roll));
+        let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 14, exact_slope: true };
+        let solution = solve(&problem, start, &PathConstraint { weights: self.weights, target }, &options, ws)?;
+        let torque = problem.spatial_grip(&solution.at).map_or(f64::NAN, |grip| grip.torque);
+        Ok(Rolled { solution, torque, target })
+    }
+
+    /// The one next to `start` that takes no torque, by the secant rule; `slope`: dm/dσ.
+    pub fn without_torque(
+        &self,
+        start: State,
+        roll: f64,
+        target: f64,
+        slope: f64,
+        ws: &mut Workspace,
+    ) -> Result<Rolled, SolveError> {
+        let problem = self.problem.with_roll(Some(roll));
+        let mut found = self.held(start, roll, target, ws)?;
+        let (mut slope, mut before) = (slope * roll, f64::INFINITY);
+        for _ in 0..MOST_SOLVES {
+            let ahead = -found.torque / slope;
+            let share = (ahead / found.target).abs();
+            if share <= FOUND || (share <= ROUND_OFF && share >= 0.5 * before) {
+                return Ok(found);
+            }
+            if !ahead.is_finite() {
+                break;
+            }
+            before = share;
+            let next = self.held(found.solution.moved(&problem, ahead), roll, found.target + ahead, ws)?;
+            // nearer than that the change of the torque is round-off
+            slope = if share > ROUND_OFF { (next.torque - found.torque) / ahead } else { slope };
+            found = next;
+        }
+        Err(SolveError::NotConverged { update: before, iterations: MOST_SOLVES })
     }
 }

@@ -1,21 +1,23 @@
 //! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
-use super::first_integral::worst_spread;
-use super::followed::Followed;
-use super::model_end::stopped_by_model;
-use super::path_end::{is_next_to_plane, step};
-use super::path_refinement::fill_in;
-use super::slope_polishing::sharpen;
-use crate::model::problem::beam_problem::BeamProblem;
+use super::path_end::{Followed, is_next_to_plane, step, stopped_by_model};
+use super::path_refinement::{fill_in, sharpen};
+use crate::beam::planar::chain::NodeState;
+use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::reference_configuration::ReferenceConfiguration;
+use crate::beam::spatial::spatial_beam::SpatialBeam;
+use crate::model::peel::PeelModel;
+use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
-use crate::solve::path::options::PathOptions;
+use crate::solve::path::options::{PathError, PathOptions};
 use crate::solve::points::locate::ROUGH;
-use crate::study::checkpoint::Limits;
-use crate::study::peel::budget::Budget;
-use crate::study::peel::failure::{Failure, PathFailure};
-use crate::study::peel::result::PathEnd;
-use crate::study::stop_criteria::Bound;
+use crate::solve::state::State;
+use crate::study::asked::accuracy::Accuracy;
+use crate::study::asked::stop_criteria::{Bound, StopCriteria};
+use crate::study::peel::budget::{Budget, Checkpoint, Limits};
+use crate::study::peel::result::{Failure, PathEnd, PathFailure};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
@@ -136,12 +138,116 @@ fn has_maximum(points: &[Arc<Solution>]) -> bool {
     points.iter().skip(1).rev().skip(1).any(|p| p.slope.force < 0.0)
 }
 
+// -- The first integral along the beam at the points of a path: what it spreads by is the error of a mesh between its points --
+
+/// The largest spread of the first integral along the beam at any point of the path, over the work of adhesion: zero where
+/// a mesh resolves the beam. Without a potential, along a beam of varying outline and on ground that is not flat there is
+/// no such integral.
+pub(super) fn worst_spread(problem: &BeamProblem, points: &[Arc<Solution>]) -> f64 {
+    if !problem.system.is_conservative() {
+        return 0.0;
+    }
+    let spread = |point: &Arc<Solution>| match &problem.beam {
+        Beam::Planar(beam) => planar(beam, &point.at),
+        Beam::Spatial(beam) => spatial(beam, &point.at),
+    };
+    points.iter().map(spread).fold(0.0, f64::max) / problem.beam.rest_adhesion().abs()
+}
+
+/// What is lost on the way shows at the two ends, and most of it is lost in the element at an edge.
+fn at_ends(at: &State) -> [Range<usize>; 2] {
+    let last = at.mesh.elements() - 1;
+    [0..1, last..last + 1]
+}
+
+fn planar(beam: &PlanarBeam, at: &State) -> f64 {
+    if matches!(beam.rest, ReferenceConfiguration::Varying(_)) || !beam.substrate.is_flat() {
+        return 0.0;
+    }
+    let sections = at_ends(at).map(|elements| beam.chain.node_states(beam.configuration(at), elements));
+    range(sections.iter().flatten().map(NodeState::first_integral))
+}
+
+/// Forces along the ground spread by round-off alone, up to 2e-9 of the adhesion in a strip that is 40 nm wide: what the first integral has of
+/// that is taken off.
+fn spatial(beam: &SpatialBeam, at: &State) -> f64 {
+    let Some(rest_curvature) = beam.uniform_rest_curvature() else { return 0.0 };
+    let sections = at_ends(at).map(|elements| beam.end_states(at, elements));
+    let integrals: Vec<_> = sections.iter().flatten().map(|section| section.integrals(rest_curvature)).collect();
+    let along = |k: usize| range(integrals.iter().map(|at| at.force[k]));
+    (range(integrals.iter().map(|at| at.energy)) - along(0) - along(1)).max(0.0)
+}
+
+/// Largest less least.
+fn range(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) =
+        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+    high - low
+}
+
+// -- A path that is computed as far as it is asked for, up to where a whole peel ends --
+
+/// The points of a path, one after the other, on one mesh: nothing is located or bounded on it. It ends by the rules of [`crate::study::peel`]; its
+/// last point is the first beyond its end.
+pub struct PathPoints<'p> {
+    problem: &'p BeamProblem,
+    path: Path<'p>,
+    options: PathOptions,
+    /// What is farther from the ground does not adhere, nm
+    far: f64,
+    relative: f64,
+    stop: StopCriteria,
+    end: Option<PathEnd>,
+    failed: bool,
+}
+
+impl<'p> PathPoints<'p> {
+    /// The path of a problem of this model; `stop` ends it before its end.
+    pub fn new(
+        model: &PeelModel,
+        problem: &'p BeamProblem,
+        options: PathOptions,
+        accuracy: &Accuracy,
+        stop: StopCriteria,
+    ) -> Self {
+        let limits = Limits { stop: &stop, checkpoint: &Checkpoint::NOTHING };
+        let path = Path::new(problem, options).until(limits.should_stop());
+        let (far, relative) = (model.line_law().cutoff_distance(), accuracy.relative);
+        Self { problem, path, options, far, relative, stop, end: None, failed: false }
+    }
+
+    /// How it has ended, if it has.
+    pub fn end(&self) -> Option<&PathEnd> {
+        self.end.as_ref()
+    }
+}
+
+impl Iterator for PathPoints<'_> {
+    type Item = Result<Arc<Solution>, PathError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.end.is_some() || self.failed {
+            return None;
+        }
+        let limits = Limits { stop: &self.stop, checkpoint: &Checkpoint::NOTHING };
+        let before = self.path.points().len();
+        match step(self.problem, &mut self.path, self.options.pace, self.far, self.relative, &limits) {
+            Ok(end) => self.end = end,
+            Err(error) => {
+                self.failed = true;
+                return Some(Err(error));
+            }
+        }
+        self.path.points().get(before).map(|newest| Ok(Arc::clone(newest)))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::{Form, PeelModel, StripModel};
     use crate::solve::LimitPointKind;
-    use crate::study::accuracy::Resolution;
+    use crate::study::asked::accuracy::Resolution;
     use crate::study::{Accuracy, Checkpoint, StopCriteria};
 
     /// What the count of negative eigenvalues is for: limit points that were not located are reported as missing.

@@ -1,18 +1,18 @@
 //! The limit points of a path: every one located, none missed without a report.
 
-use super::followed::Followed;
+use super::path_end::Followed;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::bracket::brackets;
 use crate::solve::points::branching::locate_branching;
-use crate::solve::points::kind::{LimitPointKind, LimitPointKind::Displacement, LimitPointKind::Load};
 use crate::solve::points::locate::{locate, unlocated};
+use crate::solve::points::search::LimitPointKind;
+use crate::solve::points::search::LimitPointKind::{Displacement, Load};
 use crate::solve::workspace::Workspace;
-use crate::study::error_bounds::DIFFERENCE_BOUND_FACTOR;
-use crate::study::peel::failure::PathFailure;
-use crate::study::peel::result::PathEnd;
+use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::peel::result::{PathEnd, PathFailure};
 use std::sync::Arc;
 
 /// How far from a branch point the search for it begins, over its displacement.

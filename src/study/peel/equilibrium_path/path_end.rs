@@ -1,22 +1,21 @@
 //! Where a path ends, and its last point there.
 
-use super::followed::Followed;
-use super::model_end::model_end;
-use crate::beam::planar::friction_history::FrictionHistory;
-use crate::beam::planar::planar_beam::TIP_ROTATION;
+use crate::beam::planar::model_limits::BondedLoss;
+use crate::beam::planar::planar_beam::{FrictionHistory, TIP_ROTATION};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
-use crate::solve::observables::{Observables, PathConstraint};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::near_branch::is_mirrored;
 use crate::solve::path::options::PathError;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::locate::{ROUGH, solve_on};
+use crate::solve::points::locate::{Located, ROUGH, solve_on};
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Direction;
-use crate::solve::workspace::{Pace, Workspace};
-use crate::study::checkpoint::Limits;
-use crate::study::peel::result::PathEnd;
-use crate::study::stop_criteria::{Bound, FollowedUntil};
+use crate::solve::state::{Observables, PathConstraint};
+use crate::solve::workspace::{Pace, ShouldStop, Workspace};
+use crate::study::asked::stop_criteria::{Bound, FollowedUntil};
+use crate::study::peel::budget::Limits;
+use crate::study::peel::result::{PathEnd, PathFailure};
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
@@ -312,4 +311,96 @@ impl Followed {
             }
         }
     }
+}
+
+// -- A path that has been followed --
+
+/// A path with its limit points.
+pub(in crate::study::peel) struct Followed {
+    pub points: Vec<Arc<Solution>>,
+    /// In path order, each with the index of the point before it.
+    pub turns: Vec<(LimitPointKind, usize, Located)>,
+    /// Where an eigenvalue passes through zero although the displacement does not turn, likewise.
+    pub branch_points: Vec<(usize, Located)>,
+    pub end: PathEnd,
+    /// Whether time or the user ended it.
+    pub cut: bool,
+    pub iterations: usize,
+    /// Whether it ended with the strip upright, where an eigenvalue is zero by symmetry.
+    pub upright: bool,
+    /// Load limit points left out because the force hardly changes between them.
+    pub ripple: usize,
+    /// Whether the first maximum of the force is so level that no place on it has more than others: nothing is missed
+    /// where its place is not known.
+    pub level: bool,
+    /// Largest spread of the first integral along the beam at any point, over the work of adhesion.
+    pub spread: f64,
+    /// The end that the model gives where the path cannot be continued.
+    pub beyond: Option<PathEnd>,
+    /// Why the path cannot be used, if it cannot.
+    pub trouble: Option<PathFailure>,
+    /// At which pace it was followed, and is looked around on.
+    pub pace: Pace,
+    /// Says when its limit points and its work are no longer to be computed.
+    pub(super) should_stop: Option<ShouldStop>,
+}
+
+impl Followed {
+    /// What looks around on the path with, until it is late.
+    pub(in crate::study::peel) fn workspace(&self) -> Workspace {
+        Workspace::until(self.should_stop.clone()).at(self.pace)
+    }
+
+    /// What came out too late may be a ripple that is a turn, or an interpolant for a solution: to be asked in the end.
+    pub(in crate::study::peel) fn late(&self) -> Option<PathFailure> {
+        self.workspace().is_stopped().then_some(PathFailure::OutOfTime)
+    }
+}
+
+// -- Whether a path has come to where the model itself ends --
+
+/// A force below this share of the work of adhesion over the width is none, where a path cannot be continued.
+const NO_FORCE: f64 = 1e-6;
+
+/// The end at the newest point, if its model says so: a section is where the energy has a pole, or what is bonded has lost its stability
+/// since the point before. Then a negative eigenvalue comes without a limit point; where the sections tilt to one side from the front on
+/// instead, none does, and the path goes on in a stable state.
+pub(super) fn model_end(problem: &BeamProblem, points: &[Arc<Solution>], relative: f64) -> Option<PathEnd> {
+    let [.., before, newest] = points else { return None };
+    let beam = problem.beam.planar()?;
+    if let Some(upright) = beam.upright_section(&newest.at, relative) {
+        return Some(PathEnd::Upright(upright));
+    }
+    let turned = newest.slope.displacement * before.slope.displacement <= 0.0;
+    if turned || newest.negative <= before.negative || loss(problem, before).is_some() {
+        return None;
+    }
+    loss(problem, newest).map(PathEnd::BondedPartUnstable)
+}
+
+fn loss(problem: &BeamProblem, at: &Solution) -> Option<BondedLoss> {
+    let beam = problem.beam.planar()?;
+    beam.limits.bonded.as_ref()?;
+    beam.limits.bonded_loss(beam.grip_forces(&at.at).horizontal)
+}
+
+/// The end of a path that cannot be continued where its model says why.
+pub(super) fn stopped_by_model(
+    problem: &BeamProblem,
+    points: &[Arc<Solution>],
+    trouble: &PathFailure,
+) -> Option<PathEnd> {
+    if let PathFailure::NearUpright(upright) = trouble {
+        return Some(PathEnd::Upright(*upright));
+    }
+    let [_, _, .., newest] = points else { return None };
+    let beam = problem.beam.planar()?;
+    if let Some(section) = beam.held_upright(&newest.at) {
+        return Some(PathEnd::Upright(section));
+    }
+    if newest.observables.force < NO_FORCE * problem.measure.force && newest.slope.force < 0.0 {
+        return Some(PathEnd::Pivoting);
+    }
+    beam.limits.bonded.as_ref()?;
+    beam.limits.near_bonded_loss(beam.grip_forces(&newest.at).horizontal).map(PathEnd::BondedPartUnstable)
 }

@@ -1,0 +1,113 @@
+//! Which keys a scene may hold, and what is said of the others.
+
+use super::kind::{Key, Kind};
+use super::table::{SETA, SUBSTRATE};
+use crate::body::{BODIES, body_of, shape_has, shapes_with};
+use crate::error::ValueError;
+use crate::scene::Scene;
+use peelkit::model::{Body, ProfileForm};
+
+/// Why a scene may not hold a key.
+enum Misfit {
+    /// It has a seta, which has no such key.
+    BesideSeta,
+    /// It does not have the table.
+    NoTable,
+    /// It is in the plane.
+    InPlane,
+    /// Its substrate has another shape.
+    Shape,
+    /// Its beam has another key in place of this one.
+    Beside(&'static str),
+}
+
+impl Key {
+    /// Whether it may stand in this scene: one of a body that the scene does not peel may not, nor one of a substrate of another
+    /// shape, nor one of space in the plane.
+    pub fn belongs_to(&self, scene: &Scene) -> bool {
+        self.misfit(scene).is_none()
+    }
+
+    fn misfit(&self, scene: &Scene) -> Option<Misfit> {
+        if scene.seta.is_some() && !self.of.beside_seta.has(self.name) {
+            return Some(Misfit::BesideSeta);
+        }
+        if !(self.of.is_in)(scene) {
+            return Some(Misfit::NoTable);
+        }
+        if self.is_of_space() && scene.model.space.is_none() {
+            return Some(Misfit::InPlane);
+        }
+        if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
+            return Some(Misfit::Shape);
+        }
+        // a profile takes a table or pieces, and not both
+        let Body::Profile(profile) = &scene.model.body else { return None };
+        match (&self.kind, &profile.form) {
+            (Kind::Table(_), ProfileForm::Pieces(_)) => Some(Misfit::Beside("pieces")),
+            (Kind::Pieces(_), ProfileForm::Table(_)) if !scene.table_texts.profile.is_empty() => {
+                Some(Misfit::Beside("table"))
+            }
+            _ => None,
+        }
+    }
+
+    /// The key of its table that a scene may hold in its place.
+    pub fn alternative(&self) -> Option<&'static str> {
+        match self.kind {
+            Kind::Table(_) => Some("pieces"),
+            Kind::Pieces(_) => Some("table"),
+            _ => None,
+        }
+    }
+
+    /// The shapes of a substrate that have it, where it is a key of one.
+    pub fn shapes(&self) -> Vec<&'static str> {
+        if self.table == SUBSTRATE.name { shapes_with(self.name) } else { Vec::new() }
+    }
+
+    /// That it may not stand in this scene, and what to do.
+    pub fn foreign(&self, scene: &Scene) -> ValueError {
+        let (table, name) = (self.table, self.name);
+        match self.misfit(scene).unwrap_or(Misfit::NoTable) {
+            Misfit::BesideSeta => ValueError::new(
+                "is given, and the scene has a [seta], which has no such key",
+                format!(
+                    "Remove `{name}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
+                ),
+            ),
+            Misfit::NoTable if BODIES.contains(&table) => ValueError::new(
+                format!("is a key of [{table}], and the scene peels a [{}]", body_of(scene)),
+                format!(
+                    "A scene has one of the tables [{}]; a [seta] may stand beside a [spatula].",
+                    BODIES.join("], [")
+                ),
+            ),
+            Misfit::NoTable => {
+                let example = if table == SETA.name { "; scenes/seta.toml is one with a seta" } else { "" };
+                ValueError::new(
+                    format!("is a key of [{table}], a table that the scene does not have"),
+                    format!("Add the table [{table}] to the scene{example}."),
+                )
+            }
+            Misfit::InPlane => ValueError::new(
+                "is a key of a scene in space, and this scene has `space` = false",
+                format!("Write `space = true`, or remove `{name}`."),
+            ),
+            Misfit::Shape => {
+                let substrate = &scene.model.ground.substrate;
+                let (word, own) = (substrate.name(), substrate.keys());
+                let own = if own.is_empty() { "no other keys".into() } else { format!("the keys {}", own.join(", ")) };
+                let shapes = shapes_with(name).join("\" or \"");
+                ValueError::new(
+                    format!("is a key of [substrate] for another `shape` than \"{word}\""),
+                    format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."),
+                )
+            }
+            Misfit::Beside(other) => ValueError::new(
+                format!("is given beside `{table}.{other}`, and the beam has one geometry"),
+                format!("Remove one of `{name}` and `{other}`."),
+            ),
+        }
+    }
+}

@@ -1,0 +1,152 @@
+//! A scene as data.
+
+pub(crate) mod bounds;
+pub(crate) mod rate;
+pub(crate) mod seta;
+pub(crate) mod studies;
+
+use bounds::BoundsTable;
+use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
+use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy};
+use rate::TimeTable;
+use seta::SetaTable;
+use std::path::Path;
+use studies::{FitTable, OptimisationTable, UncertaintyTable};
+
+/// A whole scene, every value checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Where it was read from.
+    pub name: String,
+    /// What it is called; the stem of `name` where the text gives no title.
+    pub title: String,
+    /// The body, its adhesion, its grip and how that is moved; of a scene with a seta the body at each tip with its adhesion
+    /// ([`Scene::tip_model`]), and how the root is moved.
+    pub model: PeelModel,
+    /// The seta, where the scene has one.
+    pub seta: Option<SetaTable>,
+    /// The rate of the pull, where the scene has one.
+    pub time: Option<TimeTable>,
+    /// What the user asks of the numbers.
+    pub accuracy: Accuracy,
+    /// Where the path may be stopped although it goes on.
+    pub bounds: BoundsTable,
+    /// What `peel fit` determines, where the scene says so.
+    pub fit: Option<FitTable>,
+    /// What is optimised, where the scene says so; `peel optimise` does it.
+    pub optimisation: Option<OptimisationTable>,
+    /// What is uncertain, where the scene says so; `peel uncertainty` samples it.
+    pub uncertainty: Option<UncertaintyTable>,
+    /// The tables that the text gives, as they were read.
+    pub table_texts: TableTexts,
+}
+
+/// The texts of a scene's tables, in CSV: what the model holds of them are numbers alone, and a summary reports them as they were
+/// written. Each is empty where the scene has no such table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TableTexts {
+    /// Of `profile.table`.
+    pub profile: String,
+    /// Of `substrate.table`.
+    pub substrate: String,
+}
+
+impl Scene {
+    /// The same with every table that a scene may hold.
+    pub(crate) fn of_defaults() -> Self {
+        Self {
+            seta: Some(SetaTable::default()),
+            time: Some(TimeTable::default()),
+            fit: Some(FitTable::default()),
+            optimisation: Some(OptimisationTable::default()),
+            uncertainty: Some(UncertaintyTable::default()),
+            ..Self::empty("")
+        }
+    }
+
+    /// A scene that holds the defaults; what has none is NaN until the text gives it.
+    pub(crate) fn empty(name: &str) -> Self {
+        let title = Path::new(name).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let adhesion = Adhesion::of_half_space(f64::NAN, f64::NAN);
+        Self {
+            name: name.to_owned(),
+            title,
+            model: PeelModel::of(Body::Strip(UNKNOWN_STRIP), adhesion, Grip::FREE),
+            accuracy: Accuracy::to(1e-6),
+            bounds: BoundsTable { points: 20_000, time_s: Some(60.0), ..BoundsTable::default() },
+            seta: None,
+            time: None,
+            fit: None,
+            optimisation: None,
+            uncertainty: None,
+            table_texts: TableTexts::default(),
+        }
+    }
+}
+
+impl Scene {
+    /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
+    /// tips is computed of.
+    pub fn tip_model(&self) -> PeelModel {
+        let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
+        PeelModel::of(self.model.body.clone(), self.model.adhesion, grip)
+    }
+
+    /// Whether values fit one another that are right by themselves: else the key that does not, and why.
+    pub fn check(&self) -> Result<(), ModelError> {
+        match self.seta {
+            None => study::checked(&self.model, &self.accuracy),
+            Some(_) => study::checked(&self.tip_model(), &self.accuracy),
+        }
+    }
+
+    /// The numbers that a run of the scene has, and in words what has them.
+    pub(crate) fn quantities(&self) -> (&'static [PeelQuantity], &'static str) {
+        match (&self.time, &self.seta) {
+            (Some(_), _) => (&PeelQuantity::AT_A_RATE, "a pull at a rate"),
+            (None, Some(_)) => (&PeelQuantity::OF_A_SETA, "the pull-off of a seta"),
+            (None, None) => (&PeelQuantity::OF_A_PEEL, "a peel"),
+        }
+    }
+}
+
+/// The tables of a scene, which it is given where it has none.
+impl Scene {
+    pub(crate) fn seta_table(&mut self) -> &mut SetaTable {
+        self.seta.get_or_insert_default()
+    }
+
+    /// The steps of a seta have a tolerance of their own.
+    pub(crate) fn time_table(&mut self) -> &mut TimeTable {
+        let usual = TimeTable::default();
+        let tolerance = if self.seta.is_some() { SetaTimeAccuracy::default().tolerance } else { usual.tolerance };
+        self.time.get_or_insert(TimeTable { tolerance, ..usual })
+    }
+
+    pub(crate) fn fit_table(&mut self) -> &mut FitTable {
+        self.fit.get_or_insert_default()
+    }
+
+    pub(crate) fn optimisation_table(&mut self) -> &mut OptimisationTable {
+        self.optimisation.get_or_insert_default()
+    }
+
+    /// The first number that a run of the scene has is what is asked for where the scene does not say it.
+    pub(crate) fn uncertainty_table(&mut self) -> &mut UncertaintyTable {
+        let first = self.quantities().0[0];
+        self.uncertainty
+            .get_or_insert_with(|| UncertaintyTable { quantities: vec![first], ..UncertaintyTable::default() })
+    }
+}
+
+/// The defaults of a strip; what has none is NaN until a text gives it.
+pub(crate) const UNKNOWN_STRIP: Strip = Strip {
+    length: f64::NAN,
+    height: f64::NAN,
+    width: 1.0,
+    youngs_modulus: f64::NAN,
+    poissons_ratio: 0.2,
+    shear_correction: 5.0 / 6.0,
+    bending_stiffness_factor: 1.0,
+    crack: None,
+};

@@ -1,0 +1,3 @@
+//! Pulls at a rate: a beam, and a seta, of viscous material.
+pub(super) mod pull;
+pub(super) mod seta;

@@ -1,0 +1,252 @@
+//! The run of a fit: search, weights, search again; then errors, correlations and profiles.
+
+use super::coordinate::Coordinate;
+use super::measured_curve::MeasuredCurve;
+use super::problem::{FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
+use super::residuals::{Derivatives, Evaluator, Trial, Weights};
+use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, Scale};
+use super::search::{Found, search};
+use super::statistics::{Covariance, Least, half_interval, is_estimated, scale};
+use super::warnings::{POOR, combinations, pairs};
+use crate::study::asked::accuracy::Accuracy;
+use crate::study::asked::stop_criteria::StopCriteria;
+use nalgebra::DVector;
+use rayon::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+/// Most weightings.
+const MOST_WEIGHTINGS: usize = 25;
+/// Weights have settled where the coordinates change by less than this share of their standard errors.
+const SETTLED: f64 = 0.02;
+/// An estimated standard error is no smaller than this share of the largest force: what the path is computed to.
+const LEAST_ERROR: f64 = 1e-7;
+/// A parameter that changes the curve by less than this share of its largest force has no influence.
+const INFLUENCE: f64 = 1e-7;
+
+/// Finds the parameters of a problem with which the first stable branch of the path is nearest to a measured curve. `stop` gives the criteria of
+/// each path; one that is interrupted ends the fit with what was reached.
+///
+/// # Errors
+/// Where there is nothing to fit or too few data, the path of the initial parameters or its derivatives cannot be computed, and where a parameter
+/// has no influence.
+pub fn fit(
+    problem: &FitProblem,
+    measured: &MeasuredCurve,
+    options: &FitOptions,
+    accuracy: &Accuracy,
+    stop: &(dyn Fn() -> StopCriteria + Sync),
+) -> Result<Fit, NoFit> {
+    let count = problem.parameters.len();
+    if count == 0 {
+        return Err(NoFit::NoParameters);
+    }
+    let (first, last) = measured.range();
+    let coordinates: Result<Vec<_>, _> =
+        problem.parameters.iter().map(|parameter| Coordinate::new(parameter, 0.5 * (last - first))).collect();
+    let evaluator = Evaluator {
+        problem,
+        coordinates: coordinates?,
+        measured,
+        options,
+        accuracy,
+        stop,
+        paths: AtomicUsize::new(0),
+        interrupted: AtomicBool::new(false),
+    };
+    let data = measured.points.len() + usize::from(evaluator.jump().is_some());
+    if data <= count {
+        return Err(NoFit::TooFewData { data, parameters: count });
+    }
+    let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
+    has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
+    let reached = weighted_search(&evaluator, &start, count);
+    let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
+    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let is_lost = !interrupted && found.as_ref().map_or(true, Fit::is_lost);
+    match other_scale(measured, &start).filter(|_| is_lost) {
+        Some(why) => Err(why),
+        None => found,
+    }
+}
+
+/// Every parameter has to change the curve.
+fn has_influence(evaluator: &Evaluator, start: &Trial, found: &Derivatives) -> Result<(), NoFit> {
+    let force = start.modelled.iter().fold(evaluator.measured.largest_force(), |most, at| at.force.abs().max(most));
+    let jump = start.found.end().abs();
+    for (index, parameter) in evaluator.problem.parameters.iter().enumerate() {
+        let largest = found.force.column(index).amax();
+        let moved = if evaluator.jump().is_some() { found.jump[index].abs() } else { 0.0 };
+        if largest < INFLUENCE * force && moved < INFLUENCE * jump {
+            return Err(NoFit::NoInfluence { key: parameter.key.clone(), largest });
+        }
+    }
+    Ok(())
+}
+
+/// What the searches came to.
+struct Reached {
+    found: Found,
+    weights: Weights,
+    /// Standard error of a force that was estimated
+    estimated: Option<f64>,
+    weightings: usize,
+}
+
+/// Searches, and again with weights from what was found, until they have settled.
+fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> Result<Reached, NoFit> {
+    let (options, measured) = (evaluator.options, evaluator.measured);
+    let least = LEAST_ERROR * measured.largest_force();
+    let estimates = is_estimated(options, evaluator);
+    let changes = estimates || options.loss != Loss::Squares || options.displacement_error.is_some();
+    let mut estimated = measured.noise().max(least);
+    let mut weights = evaluator.weights(estimated);
+    let free: Vec<usize> = (0..count).collect();
+    let mut best = start.clone();
+    let mut weightings = 0;
+    loop {
+        weightings += 1;
+        let found = search(evaluator, &weights, &best, &free);
+        let moved = &found.best.x - &best.x;
+        best = found.best.clone();
+        if estimates {
+            let residuals: Vec<f64> =
+                best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
+            estimated = scale(&residuals, &weights, count, options.loss != Loss::Squares, least);
+        }
+        let next = evaluator.reweighted(&best, estimated);
+        let covariance = Covariance::new(&evaluator.jacobian(&evaluator.derivatives(&best)?, &next), free.clone(), 1.0);
+        let settled =
+            free.iter().all(|&k| moved[k].abs() <= SETTLED * covariance.standard_error(k).unwrap_or(f64::INFINITY));
+        let over = found.trouble.is_some() || !changes || weightings == MOST_WEIGHTINGS;
+        if over || (settled && weightings > 1) {
+            let sum = evaluator.residuals(&best, &next).norm_squared();
+            let trouble = found.trouble.or_else(|| {
+                (weightings == MOST_WEIGHTINGS).then(|| format!("its weights have not settled in {weightings} rounds"))
+            });
+            let found = Found { best, sum, trouble };
+            return Ok(Reached { found, weights: next, estimated: estimates.then_some(estimated), weightings });
+        }
+        weights = next;
+    }
+}
+
+/// The result with its statistics.
+fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usize) -> Result<Fit, NoFit> {
+    let Reached { found, weights, estimated, weightings } = reached;
+    let (best, options, count) = (found.best, evaluator.options, evaluator.coordinates.len());
+    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let end = match found.trouble {
+        _ if interrupted => FitEnd::Interrupted,
+        Some(why) => FitEnd::Stopped(why),
+        None => FitEnd::Converged,
+    };
+    let plain = Weights { robust: vec![1.0; weights.errors.len()], ..weights.clone() };
+    let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
+    let (standardised, _) = evaluator.standardised(&best, &plain);
+    let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
+    let factor = options.loss.covariance_factor(&standardised, count);
+    let covariance = Covariance::new(&jacobian, inside, factor);
+    let half = half_interval(estimated.is_some(), freedom);
+    let values = evaluator.values(&best.x);
+    let parameter = |k: usize| {
+        let (own, coordinate) = (&evaluator.problem.parameters[k], &evaluator.coordinates[k]);
+        let (x, (low, high)) = (best.x[k], coordinate.bounds());
+        let error = covariance.standard_error(k);
+        let interval =
+            error.map(|error| [-half, half].map(|half| coordinate.value((x + half * error).clamp(low, high))));
+        let bound = coordinate.at_bound(x).map(|side| coordinate.value(if side < 0 { low } else { high }));
+        FittedParameter {
+            key: own.key.clone(),
+            initial: own.initial,
+            value: values[k],
+            logarithmic: coordinate.is_logarithmic(),
+            standard_error: error.map(|error| error * coordinate.rate(x)),
+            interval,
+            bounds: [coordinate.value(low), coordinate.value(high)],
+            at_bound: bound,
+            poorly_determined: coordinate.is_logarithmic() && error.is_some_and(|error| half * error > POOR),
+            profile: None,
+        }
+    };
+    let mut parameters: Vec<FittedParameter> = (0..count).map(parameter).collect();
+    let poor: Vec<bool> = parameters.iter().map(|parameter| parameter.poorly_determined).collect();
+    if end == FitEnd::Converged {
+        let least = Least {
+            evaluator,
+            weights: &weights,
+            best: &best,
+            sum: found.sum,
+            covariance: &covariance,
+            level: factor * half * half,
+        };
+        let wanted = |k: &usize| match options.profile {
+            ProfileChoice::All => true,
+            ProfileChoice::Poor => poor[*k],
+            ProfileChoice::None => false,
+        };
+        let asked: Vec<(usize, f64)> =
+            (0..count).filter(wanted).filter_map(|k| Some((k, half * covariance.standard_error(k)?))).collect();
+        let profiles: Vec<_> = asked.par_iter().map(|&(k, half)| (k, least.profile(k, half))).collect();
+        profiles.into_iter().for_each(|(k, profile)| parameters[k].profile = Some(profile));
+    }
+    let row = |one: usize| (0..count).map(|other| covariance.correlation(one, other)).collect();
+    let point = |k: usize| FittedPoint {
+        displacement: evaluator.measured.points[k].displacement,
+        force: evaluator.measured.points[k].force,
+        modelled: best.modelled[k].force,
+        slope: best.modelled[k].slope,
+        error: weights.errors[k],
+        weight: weights.robust[k],
+        place: best.modelled[k].place,
+    };
+    let zero = zero_of(evaluator, &best);
+    let shifted = |trial: &Trial| {
+        let zero = zero_of(evaluator, trial);
+        trial.found.points().into_iter().map(|(u, force)| (u + zero, force)).collect()
+    };
+    Ok(Fit {
+        correlations: (0..count).map(row).collect(),
+        combinations: combinations(&covariance, &evaluator.coordinates),
+        pairs: pairs(&covariance, &evaluator.coordinates, &poor),
+        condition: Some(covariance.condition).filter(|condition| condition.is_finite()),
+        points: (0..best.modelled.len()).map(point).collect(),
+        jump: evaluator.measured.jump.map(|jump| FittedJump {
+            displacement: jump.displacement,
+            error: weights.jump_error,
+            modelled: best.found.jump().map(|jump| jump + zero),
+            used: evaluator.jump().is_some(),
+        }),
+        sum_of_squares: found.sum,
+        degrees_of_freedom: freedom,
+        estimated_error: estimated,
+        scatter: evaluator.measured.noise(),
+        exact_displacements: options.displacement_error.is_none(),
+        displacement_zero: zero,
+        curve: shifted(&best),
+        initial_curve: shifted(start),
+        model: (evaluator.problem.model)(&values),
+        paths: evaluator.paths.load(Ordering::Relaxed),
+        weightings,
+        end,
+        parameters,
+    })
+}
+
+/// That the measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
+fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
+    let curve = start.found.points();
+    let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
+    let (from, to) = measured.range();
+    let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };
+    let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
+    let is_other = forces.thousands() != 0 || displacements.thousands() != 0;
+    is_other.then_some(NoFit::OtherScale { forces, displacements })
+}
+
+/// d of a trial, nm.
+fn zero_of(evaluator: &Evaluator, trial: &Trial) -> f64 {
+    let parameters = &evaluator.problem.parameters;
+    let fitted = parameters.iter().position(|parameter| parameter.of == ParameterOf::DisplacementZero);
+    fitted.map_or(evaluator.options.displacement_zero, |k| evaluator.coordinates[k].value(trial.x[k]))
+}
