@@ -14,7 +14,9 @@
 //! writes out/examples/best_stiffness.svg and .png.
 
 use peelkit::prelude::*;
-use peelkit::study::optimisation::{DesignProblem, DesignVariable, Goal, Objective, OptimisationOptions, optimise};
+use peelkit::study::optimisation::{
+    DesignProblem, DesignVariable, Goal, NumberBy, Objective, OptimisationOptions, optimise,
+};
 use peelkit::study::{BeamState, LimitPointKind, PeelQuantity, SectionFields, StateSections, sweep};
 use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, Stroke, colour, save};
 use std::{error::Error, path::Path};
@@ -67,6 +69,7 @@ fn best_decade(near: &AtJump) -> Result<f64, Box<dyn Error>> {
         variables: vec![DesignVariable::new("bending stiffness", 0.2 * near.factor(), 5.0 * near.factor())],
         constraints: Vec::new(),
         model: Box::new(|values| Some(StripModel::of_the_paper(LENGTH, values[0]).into())),
+        number: NumberBy::Peel,
         start: vec![near.factor()],
     };
     let options = OptimisationOptions { starts: 1, neighbours: 0, ..OptimisationOptions::to(Accuracy::to(1e-6)) };

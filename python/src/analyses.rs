@@ -54,7 +54,6 @@ pub fn coarsen(
 /// The best design of a scene with a table [optimise], and the scene of the optimum.
 #[pyfunction]
 pub fn optimise(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
-    scene.source.of_peel(py)?;
     let found = analysed(py, &scene.source, Optimisation::of)?;
     let best = found.best(&scene.source.scene);
     Ok(NativeFound::new(&scene.source, found)?.with_scene(best))
@@ -66,7 +65,6 @@ type Points = Vec<(f64, f64, Option<f64>)>;
 /// The parameters of a scene from a measured curve, a file in CSV or points, and the fitted scene.
 #[pyfunction]
 pub fn fit(py: Python, scene: &NativeScene, file: &str, points: Option<Points>) -> PyResult<NativeFound> {
-    scene.source.of_peel(py)?;
     let data = match points {
         Some(points) => Data::Points(file, points.into_iter().map(measured_point).collect()),
         None => Data::File(Path::new(file)),
@@ -83,6 +81,5 @@ fn measured_point((displacement, force, force_error): (f64, f64, Option<f64>)) -
 /// What the distributions of a table [uncertainty] make of the results.
 #[pyfunction]
 pub fn uncertainty(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
-    scene.source.without_rate(py)?;
     NativeFound::new(&scene.source, analysed(py, &scene.source, Uncertainty::of)?)
 }

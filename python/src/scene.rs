@@ -5,7 +5,7 @@ use crate::interrupt::Watch;
 use crate::peel::NativePeel;
 use peelkit::study::{self, Checkpoint};
 use peelkit_report::timed;
-use peelkit_scene::{Scene, SceneError};
+use peelkit_scene::Scene;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -23,9 +23,6 @@ pub struct Source {
     overrides: Vec<(String, String)>,
 }
 
-/// What reads some scenes, and refuses others.
-type Parse = fn(&str, &str, &[(String, String)]) -> Result<Scene, SceneError>;
-
 impl Source {
     /// Reads and checks a scene.
     fn read(py: Python, name: &str, text: String, overrides: Vec<(String, String)>) -> PyResult<NativeScene> {
@@ -37,22 +34,11 @@ impl Source {
     pub fn of_peel(&self, py: Python) -> PyResult<&Scene> {
         match (&self.scene.seta, &self.scene.time) {
             (None, None) => Ok(&self.scene),
-            _ => self.read_again(py, Scene::parse),
+            _ => {
+                let again = Scene::parse(&self.scene.name, &self.text, &self.overrides);
+                again.map(|_| &self.scene).map_err(|error| scene_error(py, &error))
+            }
         }
-    }
-
-    /// The scene of equilibria: one with a rate is refused.
-    pub fn without_rate(&self, py: Python) -> PyResult<&Scene> {
-        match &self.scene.time {
-            None => Ok(&self.scene),
-            Some(_) => self.read_again(py, Scene::parse_with_seta),
-        }
-    }
-
-    /// The scene, which is refused where `parse` refuses its text.
-    fn read_again(&self, py: Python, parse: Parse) -> PyResult<&Scene> {
-        let again = parse(&self.scene.name, &self.text, &self.overrides);
-        again.map(|_| &self.scene).map_err(|error| scene_error(py, &error))
     }
 }
 

@@ -29,7 +29,7 @@ pub fn sensitivities(py: Python, peel: &NativePeel) -> PyResult<(Vec<Line>, Vec<
 
 fn found(scene: &Scene, peel: &Peel) -> Result<(Vec<Line>, Vec<Refused>), NoSensitivities> {
     let Parameters { variations, fixed } = scene.parameters();
-    let found = study::sensitivities(peel, &PeelQuantity::ALL, &variations)?;
+    let found = study::sensitivities(peel, &PeelQuantity::OF_A_PEEL, &variations)?;
     let key = |index: usize| variations[index].key.clone();
     let lines = found.exponents(peel).into_iter();
     let refused = found.refused.iter().map(|(index, why)| (key(*index), why.to_string())).chain(fixed).collect();

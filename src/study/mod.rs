@@ -46,7 +46,10 @@ pub use out_of_plane::branch::result::{BranchStart, OutOfPlaneBranch, OutOfPlane
 pub use out_of_plane::result::{NotOutOfPlane, OutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 pub use out_of_plane::width_range::{WidthLimit, WidthRange};
 pub use parameters::fit::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
-pub use parameters::fit::problem::{FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf, ProfileChoice};
+pub use parameters::fit::problem::{
+    CurveBy, CurveOf, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf, ProfileChoice,
+};
+pub use parameters::fit::pulled_curve::PulledCurve;
 pub use parameters::fit::result::{
     Combination, Fit, FitDataError, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PairDetermined,
     PointPlace, Profile,

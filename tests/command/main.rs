@@ -29,5 +29,6 @@ mod statuses;
 mod steps;
 #[path = "../shared/strip.rs"]
 mod strip;
+mod studies_of_pulls;
 mod sweeps;
 mod uncertainty;

@@ -196,12 +196,13 @@ fn what_has_no_meaning_is_refused() {
         assert_eq!(status, Some(2), "{trouble}");
         assert!(trouble.contains(told), "{trouble}");
     }
-    for command in [&["optimise"][..], &["accuracy"]] {
+    for command in [&["coarsen"][..], &["accuracy"]] {
         let (status, _, trouble) = run(dir.path(), &[&[command[0], &scene()], &command[1..]].concat());
         assert_eq!(status, Some(2), "{command:?}: {trouble}");
         assert!(
-            trouble
-                .contains("is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute"),
+            trouble.contains(
+                "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute"
+            ),
             "{command:?}: {trouble}"
         );
     }

@@ -97,7 +97,7 @@ fn what_has_no_meaning_is_refused() {
         (&["run", "--set", "seta.preload=1 nN"], "`seta.preload` of the scene is not followed in time"),
         (&["run", "--set", "time.held=1 s"], "[time] without `held`"),
         (&["run", "--set", "time.density=1300 kg/m3"], "the mass of a seta is not followed in time"),
-        (&["uncertainty"], "here equilibria are followed"),
+        (&["coarsen"], "here equilibria are followed"),
         (&[&["sweep", "--peak-only"], &vary[..]].concat(), "have no meaning for a pull at a rate"),
     ] {
         let (status, _, trouble) = run(dir.path(), &[&[arguments[0], &scene()], &arguments[1..]].concat());

@@ -58,13 +58,13 @@ fn check(text: &str, keys: &[&str]) {
     let mut variations = scene.parameters().variations;
     variations.retain(|variation| keys.contains(&variation.key.as_str()));
     assert_eq!(variations.len(), keys.len());
-    let found = sensitivities(&own, &PeelQuantity::ALL, &variations).unwrap();
+    let found = sensitivities(&own, &PeelQuantity::OF_A_PEEL, &variations).unwrap();
     assert_eq!(found.refused, []);
     for (k, variation) in variations.iter().enumerate() {
         let step = 2e-3;
         let beside = [1.0, -1.0, 2.0, -2.0].map(|steps| peeled(&(variation.model)(steps * step), 1e-10));
         let mut compared = 0;
-        for of in PeelQuantity::ALL {
+        for of in PeelQuantity::OF_A_PEEL {
             let Some(derivative) = found.of(of, k).filter(|_| of != PeelQuantity::PlateauForce) else { continue };
             let values = beside.each_ref().map(|peel| of.value(peel).unwrap());
             let [near, far] = [0, 2].map(|k| (values[k] - values[k + 1]) / ((k + 2) as f64 * step));

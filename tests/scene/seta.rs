@@ -12,12 +12,12 @@ use peelkit::study::{SetaLoading, SetaStart, SetaStep, StepEnd};
 use peelkit_scene::{KEYS, Scene};
 
 fn parse(text: &str) -> Scene {
-    Scene::parse_with_seta("seta.toml", text, &[]).unwrap()
+    Scene::parse_any("seta.toml", text, &[]).unwrap()
 }
 
 #[track_caller]
 fn refused(text: &str, overrides: &[(String, String)], message: &str) {
-    let error = Scene::parse_with_seta("seta.toml", text, overrides).unwrap_err();
+    let error = Scene::parse_any("seta.toml", text, overrides).unwrap_err();
     let whole = format!("{error}: {}", error.remedy());
     assert!(whole.contains(message), "{whole}");
 }
@@ -84,7 +84,6 @@ fn what_has_no_meaning_for_a_seta_is_refused() {
         ("[substrate]\nshape = \"sphere\"\nradius = \"1 um\"", "`substrate.shape`"),
         ("[drive]\nturn = \"1 deg/nm\"", "`drive.turn`"),
         ("[accuracy]\nelements = 30", "`accuracy.elements`"),
-        ("[fit]\nparameters = [\"spatula.youngs_modulus\"]", "`fit.parameters`"),
     ] {
         refused(&format!("{SETA}{line}\n"), &[], &format!("{key} is given, and the scene has a [seta]"));
     }
@@ -109,9 +108,9 @@ fn numbers_out_of_range_and_near_misses_are_named() {
     let error = Scene::parse("seta.toml", SETA, &[]).unwrap_err();
     assert_eq!((error.place(), error.key()), (Some("seta.toml, line 2"), Some("seta")));
     assert!(
-        error
-            .problem()
-            .contains("is a table of a scene that `peel run`, `peel sweep` and `peel uncertainty` alone compute"),
+        error.problem().contains(
+            "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute"
+        ),
         "{error}"
     );
 }

@@ -1,8 +1,12 @@
 //! Parameters of a scene from a measured force-displacement curve.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::session::Session;
-use peelkit::study::{self, Fit, FitDataError, FitEnd, FitProblem, MeasuredCurve, MeasuredPoint, NoFit, Terms};
+use crate::pulls::Pulls;
+use crate::session::{Parts, Session};
+use peelkit::study::{
+    self, CurveBy, Fit, FitDataError, FitEnd, FitParameter, FitProblem, MeasuredCurve, MeasuredPoint, NoFit,
+    ParameterOf, StopCriteria, Terms,
+};
 use peelkit_report::overlay::read_force_curve;
 use peelkit_report::{self as report, FitReport, FitSummary, ReportError, timed};
 use peelkit_scene::{FitTable, Scene};
@@ -22,7 +26,7 @@ pub enum Data<'d> {
 pub struct Fitting<'s> {
     scene: &'s Scene,
     table: FitTable,
-    problem: FitProblem<'s>,
+    parameters: Vec<FitParameter>,
     file: String,
     measured: MeasuredCurve,
 }
@@ -33,7 +37,7 @@ impl<'s> Fitting<'s> {
     /// Fails where nothing can be fitted of the scene, where the file cannot be read, and where the curve is none that can be fitted.
     pub fn of(scene: &'s Scene, data: Data) -> Result<Self, Refusal> {
         let table = scene.fit.clone().unwrap_or_default();
-        let problem = problem(scene)?;
+        let parameters = parameters(scene)?;
         let (file, points) = match data {
             Data::File(path) => {
                 let points = read_force_curve(path).map_err(|error| Refusal::asked(&error, &error.remedy))?;
@@ -43,12 +47,12 @@ impl<'s> Fitting<'s> {
         };
         let wrong = |why: FitDataError| Refusal::asked(format!("{file} {why}"), why.remedy());
         let measured = MeasuredCurve::new(points, table.jump).map_err(wrong)?;
-        Ok(Self { scene, table, problem, file, measured })
+        Ok(Self { scene, table, parameters, file, measured })
     }
 }
 
 /// What is to be fitted of a scene.
-fn problem(scene: &Scene) -> Result<FitProblem<'_>, Refusal> {
+fn parameters(scene: &Scene) -> Result<Vec<FitParameter>, Refusal> {
     let parameters = scene.fit_parameters().map_err(|problem| Refusal::value("`fit.parameters`", &problem))?;
     if parameters.is_empty() {
         return Err(of_scene(&NoFit::NoParameters));
@@ -65,10 +69,7 @@ fn problem(scene: &Scene) -> Result<FitProblem<'_>, Refusal> {
             "Give --set terms=all.",
         ));
     }
-    let keys: Vec<String> = parameters.iter().map(|parameter| parameter.key.clone()).collect();
-    let model =
-        move |values: &[f64]| scene.with_numbers(keys.iter().map(String::as_str).zip(values.iter().copied())).model;
-    Ok(FitProblem { parameters, model: Box::new(model) })
+    Ok(parameters)
 }
 
 /// Why a scene is not fitted.
@@ -92,9 +93,27 @@ impl Analysis for Fitting<'_> {
     type Found = FitOutcome;
 
     fn run(&self, session: &Session) -> Result<FitOutcome, Refusal> {
-        let Self { scene, table, problem, file, measured } = self;
+        let Self { scene, table, parameters, file, measured } = self;
         let stop = || session.stop(scene);
-        let (found, seconds) = timed(|| study::fit(problem, measured, &table.options, &scene.accuracy, &stop));
+        let keys = || parameters.iter().map(|parameter| parameter.key.as_str());
+        let with = |values: &[f64]| scene.with_numbers(keys().zip(values.iter().copied()));
+        let pulls = Pulls::like(scene);
+        let varied = parameters.iter().filter(|parameter| parameter.of == ParameterOf::Model).count();
+        let meter = pulls.as_ref().map(|pulls| (pulls, pulls.meter(session, Parts::AStep(1 + 2 * varied))));
+        let curve = match &meter {
+            None => CurveBy::Peel,
+            Some((pulls, meter)) => {
+                CurveBy::Values(Box::new(|values, stop: &StopCriteria| meter.over(|| pulls.curve(&with(values), stop))))
+            }
+        };
+        let model = Box::new(|values: &[f64]| with(values).model);
+        let problem = FitProblem { parameters: parameters.clone(), model, curve };
+        let (found, seconds) = timed(|| {
+            if let Some(pulls) = &pulls {
+                pulls.prepare(scene, &stop());
+            }
+            study::fit(&problem, measured, &table.options, &scene.accuracy, &stop)
+        });
         let fit = match found {
             Err(_) if session.watcher.asked() => {
                 return Err(Refusal::cut_short("interrupted before anything was found"));

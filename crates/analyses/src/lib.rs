@@ -10,9 +10,9 @@ mod coarsen;
 mod fit;
 mod optimise;
 mod outcome;
+mod pulls;
 mod rate;
 mod run;
-mod sampled_seta;
 mod session;
 mod seta;
 mod sweep;
@@ -25,6 +25,6 @@ pub use outcome::{Analysis, End, Outcome, Refusal};
 pub use run::{
     Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
 };
-pub use session::{Journal, Nobody, Progress, Session, Watcher};
+pub use session::{Cost, Journal, Nobody, Parts, Progress, Session, Watcher};
 pub use sweep::{Axis, Case, Cases, Rows, Sweep, SweepOutcome, place};
 pub use uncertainty::{Uncertainty, UncertaintyOutcome};

@@ -1,8 +1,12 @@
 //! The best design of a scene that says what is free.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::session::{Progress, Session};
-use peelkit::study::optimisation::{DesignProblem, Evaluation, NoOptimum, OptimisationOptions, Optimum, optimise};
+use crate::pulls::{Meter, Pulls};
+use crate::session::{Parts, Progress, Session};
+use peelkit::study::optimisation::{
+    DesignNumber, DesignProblem, Evaluation, NoOptimum, NumberBy, Objective, OptimisationOptions, Optimum, optimise,
+};
+use peelkit::study::{PeelQuantity, StopCriteria};
 use peelkit_report::{self as report, OptimisationSummary, PartialFile, PartialOptimisation, ReportError, timed};
 use peelkit_scene::{OptimisationTable, Scene};
 use std::io;
@@ -30,6 +34,28 @@ impl<'s> Optimisation<'s> {
             )
         })?;
         Ok(Self { scene, table, problem: Arc::new(problem) })
+    }
+}
+
+/// The number of the pull of a design.
+fn number(
+    pulls: &Pulls,
+    meter: &Meter,
+    design: &Scene,
+    of: PeelQuantity,
+    stop: &StopCriteria,
+) -> Result<DesignNumber, String> {
+    let found = meter.over(|| pulls.pulled(design, stop))?;
+    let none = || found.curve.short.clone().unwrap_or_else(|| "its pull has none".to_owned());
+    let (value, error) = found.value(of).ok_or_else(none)?;
+    Ok(DesignNumber { value, error, curve: found.curve.points() })
+}
+
+impl Optimisation<'_> {
+    /// How many pulls there are at most: the designs of every search, the neighbours, and the design at the start and the best one.
+    fn pulls(&self) -> usize {
+        let each = if matches!(self.problem.objective, Objective::Ratio { .. }) { 2 } else { 1 };
+        each * (self.table.starts * self.table.evaluations + self.table.neighbours + 2)
     }
 }
 
@@ -72,7 +98,20 @@ impl Analysis for Optimisation<'_> {
             keep: &|_, design| keep(design),
             ..table.options(scene.accuracy)
         };
-        let (found, seconds) = timed(|| optimise(problem, &options));
+        let (found, seconds) = timed(|| match Pulls::like(scene).zip(scene.design_problem()) {
+            None => optimise(problem, &options),
+            Some((pulls, problem)) => {
+                pulls.prepare(scene, &session.stop(scene));
+                let meter = pulls.meter(session, Parts::AtMost(self.pulls()));
+                let of = problem.objective.quantity();
+                let number = |values: &[f64], angle: Option<f64>, stop: &StopCriteria| {
+                    let mut design = scene.of_design(values).ok_or("there is no such model")?;
+                    design.model.pull.angle = angle.unwrap_or(design.model.pull.angle);
+                    number(&pulls, &meter, &design, of, stop)
+                };
+                optimise(&DesignProblem { number: NumberBy::Values(Box::new(number)), ..problem }, &options)
+            }
+        });
         let taken = partial.as_ref().map_or(0, PartialOptimisation::taken);
         trouble.into_inner().map_or(Ok(()), Err)?;
         let optimum = found.map_err(|error| match error {

@@ -1,13 +1,32 @@
 //! What pulls at a rate have in common: the pull of a beam, or of a seta, as far as it goes.
 
+use crate::seta::Setae;
 use peelkit::model::SetaModel;
 use peelkit::study::{
     InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, StopCriteria, pull_in_time, pull_seta_in_time,
 };
+use peelkit_report::PulledAtRate;
 use peelkit_scene::{Scene, SetaTable, TimeTable};
 
 /// A pull, and why it stopped short, if it did.
 pub type AsFar<P> = (P, Option<String>);
+
+/// The pull of a scene at its rate, of its beam or of its seta, whose tips have the law that such setae have in common; or why there is none.
+pub fn pull_at_rate(scene: &Scene, setae: &Setae, stop: &StopCriteria) -> Result<AsFar<PulledAtRate>, String> {
+    let Some(table) = &scene.time else { return Err("the scene has no [time]".to_owned()) };
+    match &scene.seta {
+        None => {
+            let (pulled, failed) = pull_beam(scene, table, stop).map_err(|why| why.to_string())?;
+            Ok((PulledAtRate::from(&pulled), failed))
+        }
+        Some(seta) => {
+            let model = setae.model(scene, seta)?;
+            let pulled = pull_seta(scene, (table, seta), &model, stop);
+            let (pulled, failed) = pulled.map_err(|why| why.to_string())?;
+            Ok((PulledAtRate::from(&pulled), failed))
+        }
+    }
+}
 
 /// The pull of the beam of a scene, or why there is none.
 pub fn pull_beam(

@@ -4,6 +4,7 @@ use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{SetaPoint, StopCriteria};
 use peelkit_report::{Damaged, PartialFile, ReportError};
 use peelkit_scene::Scene;
+use std::fmt;
 use std::path::Path;
 
 /// Who looks on while something is computed, from any thread, and may ask to stop.
@@ -48,8 +49,44 @@ pub enum Progress<'p> {
     Known,
     /// One of these was computed.
     Done,
+    /// What is computed again and again from now on costs this.
+    Cost(Cost),
     /// Something of what an earlier run has kept is not as it was written, and is computed again.
     Damaged(&'p Damaged),
+}
+
+/// What an analysis costs that has no derivatives, as soon as the first of its computations is done.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// What is computed, in words: "pull-offs of a seta"
+    pub what: &'static str,
+    /// How many of these
+    pub parts: Parts,
+    /// That the first of them took, s
+    pub first_s: f64,
+}
+
+/// How many computations there are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parts {
+    /// So many at most
+    AtMost(usize),
+    /// So many in each step of a search
+    AStep(usize),
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { what, parts, first_s } = self;
+        match parts {
+            Parts::AtMost(most) => write!(f, "at most {most} {what} are computed; ")?,
+            Parts::AStep(each) => write!(f, "each step of the search takes {each} {what}; ")?,
+        }
+        match first_s {
+            short if *short < 0.1 => write!(f, "the first took {:.1} ms", 1e3 * short),
+            long => write!(f, "the first took {long:.2} s"),
+        }
+    }
 }
 
 /// Where an analysis keeps what it finds while it computes, so that the next one goes on from there.

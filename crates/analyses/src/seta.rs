@@ -6,7 +6,7 @@ use peelkit::study::coarsening::{
     AfterRound, Coarsening, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable,
     pull_off_by_table,
 };
-use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaResult, SpatulaCurveError, StopCriteria};
+use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaPullOff, SetaResult, SpatulaCurveError, StopCriteria};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
 use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
@@ -136,6 +136,8 @@ pub fn options(scene: &Scene) -> SetaOptions {
     SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() }
 }
 
+const NO_SETA: &str = "the scene has no [seta]";
+
 /// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
 pub struct Setae {
     tip: PeelModel,
@@ -158,9 +160,34 @@ impl Setae {
         }
     }
 
-    /// The pull-off of the seta of a scene, or why there is none. Called from any thread.
+    /// Computes the law of the tips, so that it is there; what is wrong with it is told where it is asked for.
+    pub fn prepare(&self, scene: &Scene, stop: &StopCriteria) {
+        let Some(table) = &scene.seta else { return };
+        let _ = match table.tip_law {
+            SetaTipLaw::Curve => self.curve(scene).map(drop),
+            SetaTipLaw::Table => self.table(scene, table, stop).map(drop),
+        };
+    }
+
+    /// The numbers of the pull-off of the seta of a scene, or why there is none. Called from any thread.
     pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
-        let Some(table) = &scene.seta else { return Err("the scene has no [seta]".to_owned()) };
+        self.pulled_off(scene, stop).map(|(_, found)| found)
+    }
+
+    /// The pull-off of the seta of a scene with its numbers, likewise.
+    pub fn pulled_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<(SetaPullOff, SetaResult), String> {
+        let (model, pull_off) = self.followed(scene, stop)?;
+        let Some(table) = &scene.seta else { return Err(NO_SETA.to_owned()) };
+        let (loading, options, wanted) = (scene.seta_loading(table), options(scene), scene.accuracy.relative);
+        let peak = study::converged_peak(&model, &loading, &options, &pull_off, wanted, stop);
+        let peak = peak.map_err(|error| error.to_string())?;
+        let found = SetaResult::new(&pull_off, peak.as_ref());
+        Ok((pull_off, found))
+    }
+
+    /// The pull-off of the seta of a scene on the mesh of its curve, and what was pulled off, likewise.
+    pub fn followed(&self, scene: &Scene, stop: &StopCriteria) -> Result<(SetaModel, SetaPullOff), String> {
+        let Some(table) = &scene.seta else { return Err(NO_SETA.to_owned()) };
         let (loading, options) = (scene.seta_loading(table), options(scene));
         let (model, pull_off) = match table.tip_law {
             SetaTipLaw::Curve => {
@@ -181,11 +208,7 @@ impl Setae {
                 (of(Arc::new(growing.law(table.sideways()))), pull_off)
             }
         };
-        let found = pull_off.and_then(|pull_off| {
-            let peak = study::converged_peak(&model, &loading, &options, &pull_off, scene.accuracy.relative, stop)?;
-            Ok(SetaResult::new(&pull_off, peak.as_ref()))
-        });
-        found.map_err(|error| error.to_string())
+        pull_off.map(|pull_off| (model, pull_off)).map_err(|error| error.to_string())
     }
 
     /// The seta of a scene, whose tips follow the curve.

@@ -1,9 +1,8 @@
 //! Keys of a scene that have distributions, sampled and propagated.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::sampled_seta::SampledSeta;
-use crate::session::{Progress, Session};
-use crate::seta::Setae;
+use crate::pulls::{Pulls, SampledPull, WithKnown};
+use crate::session::{Parts, Progress, Session};
 use peelkit::study::StopCriteria;
 use peelkit::study::uncertainty::{
     self, ALONE_AT, Analysis as Found, DerivativesBy, Design, SamplePlace, Sampled, SampledPeel, one_at_a_time,
@@ -16,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What the distributions of a scene make of its results: of its peel, or of the pull-off of its seta.
+/// What the distributions of a scene make of its results, whatever it describes.
 pub struct Uncertainty<'s> {
     scene: &'s Scene,
     table: &'s UncertaintyTable,
@@ -67,7 +66,7 @@ impl Analysis for Uncertainty<'_> {
         // a sample that is kept is computed to its end; what is beside the samples is not kept
         let one: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop_of_one(scene);
         let beside: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop(scene);
-        let (analysis, seconds) = timed(|| match &scene.seta {
+        let (analysis, seconds) = timed(|| match Pulls::like(scene) {
             None => {
                 let model = |values: &[f64]| {
                     table.model(scene, values).map_err(|error| format!("{}. {}", error.found, error.remedy))
@@ -76,11 +75,16 @@ impl Analysis for Uncertainty<'_> {
                 let taylors = taylor_polynomials(self.design.plan(), &with(beside));
                 self.analysis(taylors, &with(beside), &with(one), &samples)
             }
-            Some(_) => {
-                let setae = Setae::like(scene);
-                let with = |stop| SampledSeta { scene, table, setae: &setae, stop };
-                let taylors = taylor_by_differences(self.design.plan(), &with(beside));
-                self.analysis((taylors, DerivativesBy::Differences), &with(beside), &with(one), &samples)
+            Some(pulls) => {
+                pulls.prepare(scene, &beside());
+                let meter = pulls.meter(session, Parts::AtMost(self.pulls()));
+                let with = |stop| SampledPull { scene, table, pulls: &pulls, meter: &meter, stop };
+                let means: Vec<f64> = self.design.plan().inputs.iter().map(|input| input.distribution.mean()).collect();
+                // alone, so that its time is that of one
+                let known = with(beside).outcome(&means);
+                let beside = WithKnown { sampled: &with(beside), at: means, known };
+                let taylors = taylor_by_differences(self.design.plan(), &beside);
+                self.analysis((taylors, DerivativesBy::Differences), &beside, &with(one), &samples)
             }
         });
         let kept = session.journal.map(|journal| journal.folder.to_path_buf());
@@ -89,6 +93,12 @@ impl Analysis for Uncertainty<'_> {
 }
 
 impl Uncertainty<'_> {
+    /// How many pulls there are: the samples; for the derivatives the means, two to a side of each input and two to a pair; two of each input alone.
+    fn pulls(&self) -> usize {
+        let inputs = self.design.plan().inputs.len();
+        self.design.samples() + 1 + 2 * inputs + inputs * inputs.saturating_sub(1) + 2 * inputs
+    }
+
     /// The sample, with these polynomials, and each input alone.
     fn analysis(
         &self,

@@ -3,7 +3,7 @@
 
 use super::command_line::command_line;
 use super::interrupt::Interrupt;
-use super::output::{OutArgs, list_files, say, warn};
+use super::output::{OutArgs, list_files, note, say, warn};
 use super::progress::Bar;
 use super::stop::Stop;
 use peelkit::study::StopCriteria;
@@ -40,6 +40,7 @@ impl Watcher for Eyes {
     fn see(&self, progress: Progress) {
         match progress {
             Progress::Damaged(damaged) => warn(damaged),
+            Progress::Cost(cost) => self.bar.aside(|| note(cost)),
             progress => self.bar.show(progress),
         }
     }

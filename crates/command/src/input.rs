@@ -29,11 +29,6 @@ impl SceneArgs {
         read_scene(&self.path, &self.overrides)
     }
 
-    /// Reads the scene, which may have a seta.
-    pub fn load_with_seta(&self) -> Result<Scene, Stop> {
-        read(&self.path, |name, text| Scene::parse_with_seta(name, text, &self.overrides))
-    }
-
     /// Reads the scene, which may have a seta or be pulled at a rate.
     pub fn load_any(&self) -> Result<Scene, Stop> {
         read(&self.path, |name, text| Scene::parse_any(name, text, &self.overrides))

@@ -53,6 +53,11 @@ pub fn warn(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stderr(), "warning: {text}");
 }
 
+/// Says on standard error what is good to know before the command ends.
+pub fn note(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "note: {text}");
+}
+
 /// Writes to standard output. A reader that has closed the pipe is no error.
 pub fn say(text: &str) -> Result<(), Stop> {
     let mut out = std::io::stdout().lock();

@@ -61,6 +61,14 @@ impl Bar {
         }
     }
 
+    /// Writes something above.
+    pub fn aside(&self, write: impl FnOnce()) {
+        match self {
+            Self::Run(bar) => bar.above(write),
+            Self::Counted(bar) | Self::Spinner(bar) => bar.suspend(write),
+        }
+    }
+
     /// What writes this line above.
     pub fn above(&self, line: &'static str) -> Box<dyn Fn() + Send> {
         match self {

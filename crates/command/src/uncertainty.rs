@@ -29,7 +29,7 @@ pub struct Uncertainty {
 }
 
 pub fn uncertainty(args: &Uncertainty) -> Result<(), Stop> {
-    let scene = args.scene.load_with_seta()?;
+    let scene = args.scene.load_any()?;
     let uncertainty = Analysis::of(&scene).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
         scene: &scene,

@@ -28,6 +28,7 @@ mod swept_keys;
 mod table;
 mod timing;
 mod tip_law;
+mod unknown_error;
 
 pub use animation::frames::{Pose, poses};
 pub use animation::write_animation;
@@ -104,3 +105,4 @@ pub use swept_keys::{SweptKeys, as_given};
 pub use table::write_table;
 pub use timing::timed;
 pub use tip_law::{read_tip_law, read_tip_law_of};
+pub use unknown_error::unknown_error;

@@ -44,23 +44,17 @@ impl Scene {
     /// # Ok::<(), peelkit_scene::SceneError>(())
     /// ```
     pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
-        let scene = Self::parse_with_seta(name, text, overrides)?;
-        match scene.seta {
-            None => Ok(scene),
-            Some(_) => Err(seta::refused(&Origin::File { name, text }, header_of(text, SETA.name))),
-        }
-    }
-
-    /// The same, of a scene that may have a seta, where [`Scene::parse`] refuses it: who reads this has to look at [`Scene::seta`].
-    pub fn parse_with_seta(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let scene = Self::parse_any(name, text, overrides)?;
-        match scene.time {
-            None => Ok(scene),
-            Some(_) => Err(rate::refused(&Origin::File { name, text }, header_of(text, TIME.name))),
+        let file = Origin::File { name, text };
+        match (&scene.time, &scene.seta) {
+            (Some(_), _) => Err(rate::refused(&file, header_of(text, TIME.name))),
+            (None, Some(_)) => Err(seta::refused(&file, header_of(text, SETA.name))),
+            (None, None) => Ok(scene),
         }
     }
 
-    /// The same, of a scene that may be pulled at a rate as well: look at [`Scene::seta`] and [`Scene::time`].
+    /// The same, of a scene that may have a seta, or be pulled at a rate, which [`Scene::parse`] refuses: who reads this has to look at
+    /// [`Scene::seta`] and [`Scene::time`].
     pub fn parse_any(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;
@@ -147,8 +141,11 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     if document.iter().any(|(table, _)| name_of(table) == SETA.name) {
         begin_seta(scene, bodies.is_empty());
     }
-    for (table, _) in document.iter() {
-        KEYS.iter().find(|key| key.table == name_of(table)).into_iter().for_each(|key| (key.of.begin)(scene));
+    // what can be asked for depends on whether there is a rate
+    let (rate, others): (Vec<&str>, Vec<&str>) =
+        document.iter().map(|(table, _)| name_of(table)).partition(|table| *table == TIME.name);
+    for table in rate.into_iter().chain(others) {
+        KEYS.iter().find(|key| key.table == table).into_iter().for_each(|key| (key.of.begin)(scene));
     }
     for (key, value) in in_order(document) {
         match value.get_ref() {

@@ -269,7 +269,7 @@ fn wrong(column: usize, value: f64, before: Option<f64>) -> Option<&'static str>
 
 /// Slopes of the monotone cubic through the points: where two chords go the same way their weighted harmonic mean, else zero; at
 /// the ends the slope of a parabola through three points, kept from turning round.
-fn monotone_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
+pub(crate) fn monotone_slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
     let steps: Vec<f64> = places.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let chords: Vec<f64> = values.windows(2).zip(&steps).map(|(pair, step)| (pair[1] - pair[0]) / step).collect();
     let last = chords.len() - 1;

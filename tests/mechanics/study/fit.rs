@@ -15,8 +15,8 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
-    Accuracy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve, MeasuredPoint,
-    NoFit, ParameterOf, PointPlace, ProfileChoice, StopCriteria, fit, peel,
+    Accuracy, CurveBy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve,
+    MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -82,7 +82,7 @@ fn problem(truth: Truth, names: &'static [(&'static str, f64)]) -> FitProblem<'s
         }
         model(truth)
     };
-    FitProblem { parameters: parameters(names), model: Box::new(with) }
+    FitProblem { parameters: parameters(names), model: Box::new(with), curve: CurveBy::Peel }
 }
 
 /// Displacements of the grip at which the curve is measured, nm: close around the peak, and wider up to 45 nm.
@@ -321,4 +321,39 @@ fn a_fit_whose_only_parameter_ends_at_its_bound_has_no_interval() {
     let fit = fitted(&problem, noisy(&exact(TRUTH, 0.0), 2), &FitOptions::default()).unwrap();
     assert!(fit.parameters[0].at_bound.is_some() && fit.parameters[0].interval.is_none(), "{:?}", fit.parameters);
     assert!(fit.warnings().iter().any(|warning| matches!(warning, FitWarning::AtBound { .. })));
+}
+
+/// Something else than a peel: P = a (1 - exp(-U/b)) up to U = 3 b, where an event takes a tenth of it, and nothing adheres from U = 5 b on. From its points with
+/// a = 2, b = 7 both are found again, with the place of the jump, although no derivative is given and the event passes over points.
+#[test]
+fn a_curve_without_derivatives_is_fitted() {
+    let of = |a: f64, b: f64| {
+        let force = move |u: f64| a * (1.0 - (-u / b).exp()) * if u > 3.0 * b { 0.9 } else { 1.0 };
+        let up = (0..=60).map(move |k| 3.0 * b * f64::from(k) / 60.0).map(move |u| (u, force(u)));
+        let behind = (0..=40).map(move |k| 3.0 * b + 2.0 * b * f64::from(k) / 40.0);
+        let behind = behind.map(move |u| (u, force(u.max(3.0 * b + 1e-12))));
+        let mut curve = PulledCurve::of(up.chain(behind));
+        curve.detached = Some(5.0 * b);
+        curve
+    };
+    let (range, parameter) = (Range::Positive, ParameterOf::Model);
+    let parameter =
+        |key: &str, initial: f64| FitParameter { key: key.into(), initial, range, from: None, to: None, of: parameter };
+    let problem = FitProblem {
+        parameters: vec![parameter("a", 1.5), parameter("b", 8.0)],
+        model: Box::new(|_| model(TRUTH)),
+        curve: CurveBy::Values(Box::new(move |values, _| Ok(of(values[0], values[1])))),
+    };
+    let exact = |u: f64| 2.0 * (1.0 - (-u / 7.0).exp()) * if u > 21.0 { 0.9 } else { 1.0 };
+    let point = |u: f64, force: f64| MeasuredPoint { displacement: u, force, force_error: Some(1e-3) };
+    let branch = (0..=34).map(|k| f64::from(k) + 0.3).map(|u| point(u, exact(u)));
+    let points: Vec<_> = branch.chain((0..4).map(|k| point(36.0 + f64::from(k), 0.0))).collect();
+    let fit = fitted(&problem, points, &FitOptions { profile: ProfileChoice::None, ..FitOptions::default() }).unwrap();
+    let [a, b] = [0, 1].map(|k| fit.parameters[k].value);
+    assert!(fit.converged() && (a / 2.0 - 1.0).abs() < 1e-3 && (b / 7.0 - 1.0).abs() < 1e-3, "{a} {b} {:?}", fit.end);
+    assert!((fit.jump.unwrap().modelled.unwrap() - 35.0).abs() < 0.05, "{:?}", fit.jump);
+    let short = FitProblem { curve: CurveBy::Values(Box::new(|_, _| Err("no pull".to_owned()))), ..problem };
+    let refused =
+        fitted(&short, (1..9).map(|k| point(f64::from(k), 1.0 + f64::from(k))).collect(), &FitOptions::default());
+    assert!(matches!(refused, Err(NoFit::NoStart(why)) if why == "no pull"));
 }

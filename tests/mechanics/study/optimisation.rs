@@ -17,8 +17,9 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::optimisation::{
-    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, Evaluation, Goal, NoOptimum, Objective,
-    OptimisationOptions, Optimum, ProfileColumn, ProfileDesign, SearchEnd, SearchMethod, optimise, volume,
+    ConstraintKind, DesignConstraint, DesignFound, DesignNumber, DesignProblem, DesignVariable, Evaluation, Goal,
+    NoOptimum, NumberBy, Objective, OptimisationOptions, Optimum, ProfileColumn, ProfileDesign, SearchEnd,
+    SearchMethod, optimise, volume,
 };
 use peelkit::study::{Accuracy, PeelQuantity, StopCriteria, peel, sweep};
 use std::sync::Mutex;
@@ -39,6 +40,7 @@ fn stiffness(lower: f64, upper: f64) -> DesignProblem<'static> {
         variables: vec![DesignVariable::new("strip.bending_stiffness_factor", lower, upper)],
         constraints: Vec::new(),
         model: Box::new(|values| Some(stiffened(values[0]))),
+        number: NumberBy::Peel,
         start: vec![1.0],
     }
 }
@@ -68,7 +70,15 @@ fn width(values: usize, angle: f64) -> DesignProblem<'static> {
         function: Box::new(move |values| of_volume(values).map_or(f64::NAN, |model| (volume(&model) / given).ln())),
     });
     let model = Box::new(shaped);
-    DesignProblem { objective: PEAK, goal: Goal::Maximise, variables, constraints, model, start }
+    DesignProblem {
+        objective: PEAK,
+        goal: Goal::Maximise,
+        variables,
+        constraints,
+        model,
+        number: NumberBy::Peel,
+        start,
+    }
 }
 
 fn options<'o>() -> OptimisationOptions<'o> {
@@ -242,4 +252,36 @@ fn problems_without_a_meaning_are_refused() {
     contradictory.variables.iter_mut().for_each(|variable| variable.lower = 12.0);
     let error = refused(&contradictory);
     assert!(matches!(&error, NoOptimum::Contradictory { name, .. } if name == "volume"), "{error}");
+}
+
+/// Something else than a peel, whose number is largest in the middle of its range: the search without derivatives finds it, carries its bound and its
+/// curve, and no other search is taken.
+#[test]
+fn a_number_without_derivatives_has_its_optimum() {
+    let number = |values: &[f64], angle: Option<f64>, _: &StopCriteria| {
+        assert_eq!(angle, None);
+        match values[0] {
+            // a design that cannot be computed does not end the search
+            above if above > 6.0 => Err("too large".to_owned()),
+            value => Ok(DesignNumber {
+                value: (-(value / 2.0).ln().powi(2)).exp(),
+                error: Some(1e-3),
+                curve: vec![(0.0, 0.0), (1.0, value)],
+            }),
+        }
+    };
+    let problem =
+        |objective| DesignProblem { objective, number: NumberBy::Values(Box::new(number)), ..stiffness(0.1, 10.0) };
+    let options = OptimisationOptions { starts: 1, neighbours: 5, ..options() };
+    let objective = Objective::Quantity(PeelQuantity::Work);
+    let found = optimise(&problem(objective), &options).unwrap();
+    assert!((found.after.values[0] / 2.0 - 1.0).abs() < 1e-3, "{:?}", found.after.values);
+    assert_eq!((found.after.error.is_some(), found.value_errors.is_some()), (true, false));
+    assert!(matches!(&found.after.of, DesignFound::Curves(curves) if curves[0].len() == 2));
+    let certificate = found.certificate.unwrap();
+    assert_eq!((certificate.projected_gradient, certificate.neighbours.better), (None, 0));
+    let with = OptimisationOptions { method: Some(SearchMethod::QuasiNewton), ..options };
+    assert!(matches!(optimise(&problem(objective), &with), Err(NoOptimum::NoGradient { .. })));
+    let bad = DesignProblem { start: vec![7.0], ..problem(objective) };
+    assert!(matches!(optimise(&bad, &with), Err(NoOptimum::NoNumber { why, .. }) if why == "too large"));
 }

@@ -54,13 +54,13 @@ fn variation((key, place): (&str, Place), model: &PeelModel) -> Variation<'stati
 /// Derivatives at 1e-7 against differences at 1e-10, over the numbers themselves.
 fn check(name: &str, model: &PeelModel, variations: &[Variation]) {
     let own = peeled(model, 1e-7);
-    let found = sensitivities(&own, &PeelQuantity::ALL, variations).unwrap();
+    let found = sensitivities(&own, &PeelQuantity::OF_A_PEEL, variations).unwrap();
     assert_eq!(found.refused, [], "{name}");
     let mut compared = 0;
     for (k, variation) in variations.iter().enumerate() {
         let step = 2e-3;
         let beside = [1.0, -1.0, 2.0, -2.0].map(|steps| peeled(&(variation.model)(steps * step), 1e-10));
-        for of in PeelQuantity::ALL {
+        for of in PeelQuantity::OF_A_PEEL {
             let Some(derivative) = found.of(of, k) else { continue };
             let values = beside.each_ref().map(|peel| of.value(peel).unwrap());
             let [near, far] = [0, 2].map(|k| (values[k] - values[k + 1]) / ((k + 2) as f64 * step));
@@ -149,7 +149,7 @@ fn exponents_obey_dimensional_analysis() {
     let numbers = [MODULUS, HAMAKER, LENGTH, HEIGHT, WIDTH, DISTANCE];
     let variations: Vec<_> = numbers.iter().map(|&number| variation(number, &model)).collect();
     let own = peeled(&model, 1e-7);
-    let found = sensitivities(&own, &PeelQuantity::ALL, &variations).unwrap();
+    let found = sensitivities(&own, &PeelQuantity::OF_A_PEEL, &variations).unwrap();
     let exponents = found.exponents(&own);
     // dimensions of force and length
     for (of, force, length) in [

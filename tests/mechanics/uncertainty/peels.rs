@@ -141,7 +141,7 @@ fn a_sample_is_the_peel_of_its_inputs_on_any_number_of_threads() {
             strip.strip.youngs_modulus = x[1];
         })
     };
-    let (of, accuracy) = (PeelQuantity::ALL, Accuracy::to(1e-4));
+    let (of, accuracy) = (PeelQuantity::OF_A_PEEL, Accuracy::to(1e-4));
     let model = |x: &[f64]| if x[0] > 10.5 { Err("too high".to_owned()) } else { Ok(of_inputs(x)) };
     let sampled = SampledPeel { model: &model, of: &of, accuracy: &accuracy, stop: &|| BOUNDS };
     let on = |threads: usize| {
@@ -176,12 +176,12 @@ fn the_initiation_peak_alone_is_that_of_the_whole_path() {
     let (model, accuracy) = (strip(100.0, |_| {}), Accuracy::to(1e-6));
     let peaks = [PeelQuantity::InitiationPeakForce, PeelQuantity::InitiationPeakDisplacement];
     let alone = peel_numbers(&model, &peaks, &accuracy, &|| BOUNDS);
-    let whole = peel_numbers(&model, &PeelQuantity::ALL, &accuracy, &|| BOUNDS);
+    let whole = peel_numbers(&model, &PeelQuantity::OF_A_PEEL, &accuracy, &|| BOUNDS);
     for number in 0..2 {
         let (one, other) = (alone.values[number].unwrap(), whole.values[number].unwrap());
         assert!((one / other - 1.0).abs() < 2e-6, "{one} {other}");
     }
-    let cut = peel_numbers(&model, &PeelQuantity::ALL, &accuracy, &|| StopCriteria::after_points(30));
+    let cut = peel_numbers(&model, &PeelQuantity::OF_A_PEEL, &accuracy, &|| StopCriteria::after_points(30));
     assert_eq!(cut.cut_short.as_deref(), Some("bounds.points = 30"));
 }
 

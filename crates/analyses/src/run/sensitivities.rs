@@ -38,7 +38,7 @@ impl Exponents {
     /// Fails where they cannot be computed.
     pub fn of(scene: &Scene, peel: &Peel) -> Result<Self, NoSensitivities> {
         let Parameters { variations, fixed } = scene.parameters();
-        let found = sensitivities(peel, &PeelQuantity::ALL, &variations)?;
+        let found = sensitivities(peel, &PeelQuantity::OF_A_PEEL, &variations)?;
         let refused = found.refused.iter().map(|(k, why)| (variations[*k].key.clone(), why.to_string())).chain(fixed);
         Ok(Self {
             found: found.exponents(peel),

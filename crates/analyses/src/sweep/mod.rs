@@ -12,12 +12,12 @@ pub use failed::place;
 pub use outcome::{Rows, SweepOutcome};
 
 use crate::outcome::{Analysis, Refusal};
-use crate::rate::{pull_beam, pull_seta};
+use crate::rate::pull_at_rate;
 use crate::session::Session;
 use crate::seta::Setae;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind};
-use peelkit_report::{PartHeader, PartialFile, PartialSweep, PullRow, PulledAtRate, RateResult, Storable, SweepRow};
+use peelkit_report::{PartHeader, PartialFile, PartialSweep, PullRow, RateResult, Storable, SweepRow};
 use peelkit_scene::Scene;
 
 /// A scene in which keys are varied.
@@ -137,20 +137,7 @@ fn peel_row(Found { case, found, solve_s }: Found<PeelResult>) -> SweepRow {
 
 /// The pull of a scene at its rate, or why there is none.
 fn pull(scene: &Scene, setae: &Setae, session: &Session) -> Result<RateResult, String> {
-    let Some(table) = &scene.time else { return Err("the scene has no [time]".to_owned()) };
-    let stop = session.stop_of_one(scene);
-    let (pulled, failed) = match &scene.seta {
-        None => {
-            let (pulled, failed) = pull_beam(scene, table, &stop).map_err(|why| why.to_string())?;
-            (PulledAtRate::from(&pulled), failed)
-        }
-        Some(seta) => {
-            let model = setae.model(scene, seta)?;
-            let pulled = pull_seta(scene, (table, seta), &model, &stop);
-            let (pulled, failed) = pulled.map_err(|why| why.to_string())?;
-            (PulledAtRate::from(&pulled), failed)
-        }
-    };
+    let (pulled, failed) = pull_at_rate(scene, setae, &session.stop_of_one(scene))?;
     Ok(RateResult::new(&pulled, failed))
 }
 

@@ -34,7 +34,7 @@ pub struct Fit {
 }
 
 pub fn fit(args: &Fit) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_any()?;
     let fitting = Fitting::of(&scene, Data::File(&args.data)).map_err(|why| Stop::refused(&scene, why))?;
     let data = args.data.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let drive = Drive {

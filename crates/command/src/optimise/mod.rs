@@ -31,7 +31,7 @@ pub struct Optimise {
 }
 
 pub fn optimise(args: &Optimise) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_any()?;
     let optimisation = Optimisation::of(&scene).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
         scene: &scene,

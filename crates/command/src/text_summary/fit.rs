@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::number::{short, spaced, with_error};
 use peelkit::study::{FitEnd, FittedParameter};
-use peelkit_report::FitReport;
+use peelkit_report::{FitReport, unknown_error};
 use std::fmt::Write;
 
 /// The parameters with their errors, their correlations, the residuals and what is not to be trusted.
@@ -38,6 +38,7 @@ pub fn fit(report: &FitReport) -> String {
             FitEnd::Interrupted => "interrupted: the best parameters so far".to_owned(),
         },
     ));
+    lines.extend(unknown_error(scene).map(|unknown| ("errors", unknown.to_owned())));
     let cost = format!("{} paths, {} weightings, {:.0} ms", fit.paths, fit.weightings, 1e3 * solve_s);
     lines.push(("computational cost", cost));
     in_columns(&scene.title, &lines) + &parameters(report) + &correlations(report)

@@ -2,6 +2,7 @@
 
 use super::number::{short, spaced, with_error};
 use peelkit::study::optimisation::{Certificate, DesignProblem, DesignVariable, Goal, Objective, Optimum};
+use peelkit_report::unknown_error;
 use peelkit_scene::{Key, Scene, find_key};
 use std::fmt::Write;
 
@@ -36,7 +37,11 @@ pub fn optimum(scene: &Scene, problem: &DesignProblem, optimum: &Optimum, solve_
     let ends: Vec<&str> = optimum.searches.iter().map(|search| search.end.word()).collect();
     let searches = if ends.len() == 1 { "search" } else { "searches" };
     let _ = writeln!(text, "\n{} {searches} ({}), {evaluations} designs, {solve_s:.2} s", ends.len(), ends.join(", "));
-    text + &optimum.certificate.as_ref().map_or_else(String::new, certificate)
+    text += &optimum.certificate.as_ref().map_or_else(String::new, certificate);
+    if let Some(unknown) = unknown_error(scene) {
+        let _ = writeln!(text, "{unknown}");
+    }
+    text
 }
 
 fn named(variable: &DesignVariable) -> String {

@@ -2,6 +2,7 @@
 
 use super::number::{in_unit, short, with_error};
 use peelkit::study::uncertainty::{Analysis, DerivativesBy, NumberAnalysis, Order, Propagation, Statistics};
+use peelkit_report::unknown_error;
 use peelkit_scene::{Key, Scene, find_key};
 use std::fmt::Write;
 
@@ -19,10 +20,13 @@ pub fn uncertainty(scene: &Scene, analysis: &Analysis, remark: Option<&str>) -> 
             "Propagation: derivatives at the means of the inputs; second ones are differences of exact first ones."
         }
         DerivativesBy::Differences => {
-            "Propagation: derivatives at the means of the inputs, by differences of whole peels."
+            "Propagation: derivatives at the means of the inputs, by differences of whole computations."
         }
     };
     let _ = writeln!(text, "\nErrors are those of the sample, with a confidence of 95 %.\n{by}");
+    if let Some(unknown) = unknown_error(scene) {
+        let _ = writeln!(text, "{unknown}");
+    }
     text
 }
 

@@ -11,7 +11,7 @@ use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::error::ReportError;
 use peelkit::model::PeelModel;
 use peelkit::study::Peel;
-use peelkit::study::optimisation::{DesignProblem, Optimum, ProfileColumn};
+use peelkit::study::optimisation::{DesignFound, DesignProblem, Objective, Optimum, ProfileColumn};
 use std::path::{Path, PathBuf};
 
 /// Height of a panel, pixels.
@@ -40,13 +40,17 @@ pub fn draw_optimum(
         let label = format!("{} (nm)", column.word());
         sheet.add("", ["place along the body S (nm)", &label], both(models.each_ref().map(of)));
     }
-    for (k, (before, after)) in optimum.before.peels.iter().zip(&optimum.after.peels).enumerate() {
-        let angle = |peel: &Peel| peel.model.pull.angle.to_degrees();
-        let title = match optimum.before.peels.len() {
-            1 => String::new(),
-            _ => format!("{} at {:.6} degrees", ["holding", "release"][k.min(1)], angle(before)),
-        };
-        sheet.add(&title, ["displacement u (nm)", "force P (nN)"], both([before, after].map(curve)));
+    let titles = match problem.objective {
+        Objective::Quantity(_) => vec![String::new()],
+        Objective::Ratio { holding_angle, release_angle, .. } => {
+            [("holding", holding_angle), ("release", release_angle)]
+                .map(|(word, angle)| format!("{word} at {:.6} degrees", angle.to_degrees()))
+                .to_vec()
+        }
+    };
+    let [before, after] = [&optimum.before, &optimum.after].map(|design| curves(&design.of));
+    for (title, (before, after)) in titles.iter().zip(before.into_iter().zip(after)) {
+        sheet.add(title, ["displacement u (nm)", "force P (nN)"], both([before, after]));
     }
     let count = optimum.searches.len();
     let lines = optimum.searches.iter().enumerate().map(|(k, search)| {
@@ -105,6 +109,11 @@ fn outline(model: &PeelModel, column: ProfileColumn) -> Vec<(f64, f64)> {
     (0..=ALONG).map(|k| (place(k), value(place(k)))).collect()
 }
 
-fn curve(peel: &Peel) -> Vec<(f64, f64)> {
-    peel.dense_curve(DENSE).into_iter().map(|(u, force, _)| (u, force)).collect()
+/// Displacement and force of what was computed of a design.
+fn curves(of: &DesignFound) -> Vec<Vec<(f64, f64)>> {
+    let dense = |peel: &Peel| peel.dense_curve(DENSE).into_iter().map(|(u, force, _)| (u, force)).collect();
+    match of {
+        DesignFound::Peels(peels) => peels.iter().map(dense).collect(),
+        DesignFound::Curves(curves) => curves.clone(),
+    }
 }

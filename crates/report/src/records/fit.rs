@@ -7,6 +7,7 @@ use crate::fit_report::FitReport;
 use crate::record::{Fields, Object, Record};
 use crate::reference::Output;
 use crate::table::write_table;
+use crate::unknown_error::unknown_error;
 use peelkit::study::{
     Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace,
 };
@@ -98,6 +99,7 @@ impl Record for FitReport<'_> {
         of.field("degrees_of_freedom", "data less parameters", |found| found.fit.degrees_of_freedom);
         of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero", |found| found.fit.displacement_zero);
         of.field("warnings", "what is not to be trusted", |found| found.fit.warnings());
+        of.field("unknown_error", "of a seta and of a pull at a rate: which part of the errors of the curve has no bound; else null", |found| unknown_error(found.scene));
         of.field("paths", "how many paths were computed", |found| found.fit.paths);
         of.field("weightings", "how often residuals were weighted anew", |found| found.fit.weightings);
         of.field("solve_s", "time of the fit", |found| found.solve_s);

@@ -5,6 +5,7 @@ use crate::error::ReportError;
 use crate::record::{Fields, Record};
 use crate::reference::Output;
 use crate::table::write_table;
+use crate::unknown_error::unknown_error;
 use peelkit::study::optimisation::{
     ActiveConstraint, Certificate, DerivativeFreeCheck, Design, DesignProblem, DesignVariable, Evaluation, Goal,
     Objective, Optimum, SearchResult, volume,
@@ -68,6 +69,7 @@ pub fn write_history(dir: &Path, problem: &DesignProblem, optimum: &Optimum) -> 
 pub struct Optimised<'a> {
     problem: &'a DesignProblem<'a>,
     optimum: &'a Optimum,
+    unknown_error: Option<&'static str>,
     solve_s: f64,
 }
 
@@ -77,14 +79,14 @@ pub type OptimisationSummary<'a> = Summary<'a, Optimised<'a>>;
 impl<'a> OptimisationSummary<'a> {
     /// Of what was found of this problem of the scene, in so many seconds.
     pub fn new(scene: &'a Scene, problem: &'a DesignProblem, optimum: &'a Optimum, solve_s: f64) -> Self {
-        Summary::of(scene, Optimised { problem, optimum, solve_s })
+        Summary::of(scene, Optimised { problem, optimum, unknown_error: unknown_error(scene), solve_s })
     }
 }
 
 impl Record for Optimised<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("of", "the number of the peel that is optimised, by its name in the summary of `peel run`", |found| found.problem.objective.quantity().name());
+        of.field("of", "the number that is optimised, by its name in the summary of `peel run`", |found| found.problem.objective.quantity().name());
         of.field("goal", "`maximise` or `minimise`", |found| goal_word(found.problem.goal));
         of.field("holding_angle_rad", "angle of the pull above the line of a ratio; null where the objective is none", |found| found.angles().map(|[holding, _]| holding));
         of.field("release_angle_rad", "angle of the pull below the line", |found| found.angles().map(|[_, release]| release));
@@ -98,6 +100,7 @@ impl Record for Optimised<'_> {
         of.field("best_search", "which of them has found the best design, from 0", |found| found.optimum.best_search);
         of.field("certificate", "why the best design is an optimum; null after an interruption", |found| found.optimum.certificate.as_ref());
         of.field("unfinished", "whether it was interrupted", |found| found.optimum.unfinished);
+        of.field("unknown_error", "of a seta and of a pull at a rate: which part of the errors of the objective has no bound; else null", |found| found.unknown_error);
         of.group("timing", "time", |of| of.field("solve_s", "of all searches and the certificate", |found| found.solve_s));
     }
 }

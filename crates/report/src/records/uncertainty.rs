@@ -6,6 +6,7 @@ use crate::record::{Content, Fields, Object, Record, columns, csv};
 use crate::reference::{Output, merged};
 use crate::swept_keys::column;
 use crate::table::{write_table, write_text};
+use crate::unknown_error::unknown_error;
 use peelkit::study::uncertainty::{
     Analysis, Correlation, CutShort, DerivativesBy, Estimate, Input, NumberAnalysis, Order, Propagation, Quantile,
     SobolIndex,
@@ -163,6 +164,7 @@ pub fn write_samples(dir: &Path, analysis: &Analysis) -> Result<PathBuf, ReportE
 #[derive(Clone, Copy, Debug)]
 pub struct UncertainPeel<'a> {
     analysis: &'a Analysis,
+    unknown_error: Option<&'static str>,
     solve_s: f64,
 }
 
@@ -172,7 +174,7 @@ pub type UncertaintySummary<'a> = Summary<'a, UncertainPeel<'a>>;
 impl<'a> UncertaintySummary<'a> {
     /// Of the analysis of a scene, which took so many seconds.
     pub fn new(scene: &'a Scene, analysis: &'a Analysis, solve_s: f64) -> Self {
-        Summary::of(scene, UncertainPeel { analysis, solve_s })
+        Summary::of(scene, UncertainPeel { analysis, unknown_error: unknown_error(scene), solve_s })
     }
 }
 
@@ -193,6 +195,7 @@ impl Record for UncertainPeel<'_> {
         of.field("cut_short", "why samples were cut short, the most frequent reason first", |found| found.analysis.cut_short());
         of.field("derivatives_by", "where the derivatives at the means come from: `sensitivities` or, with friction for example, `differences`", |found| derivatives_word(found.analysis.derivatives_by));
         of.field("results", "an object for each result that was asked for", |found| found.results());
+        of.field("unknown_error", "of a seta and of a pull at a rate: which part of the errors of the results has no bound; else null", |found| found.unknown_error);
         of.field("solve_s", "time of all peels of this command", |found| found.solve_s);
     }
 }

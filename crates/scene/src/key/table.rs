@@ -64,7 +64,7 @@ pub(crate) static DRIVE: Table =
     table("drive", "Where the grip goes, and what it does before.", BesideSeta::These(&["angle", "azimuth", "steps"]));
 pub(crate) static TIME: Table = Table {
     name: "time",
-    about: "A pull at a rate, by peel run and peel sweep.",
+    about: "A pull at a rate.",
     beside_seta: BesideSeta::AllBut("held"),
     is_in: |scene| scene.time.is_some(),
     begin: |scene| _ = scene.time_table(),
@@ -79,14 +79,14 @@ pub(crate) static BOUNDS: Table = table("bounds", "Where a computation stops at 
 pub(crate) static FIT: Table = Table {
     name: "fit",
     about: "What peel fit determines.",
-    beside_seta: BesideSeta::None,
+    beside_seta: BesideSeta::All,
     is_in: |scene| scene.fit.is_some(),
     begin: |scene| _ = scene.fit_table(),
 };
 pub(crate) static OPTIMISE: Table = Table {
     name: "optimise",
     about: "What peel optimise seeks.",
-    beside_seta: BesideSeta::None,
+    beside_seta: BesideSeta::All,
     is_in: |scene| scene.optimisation.is_some(),
     begin: |scene| _ = scene.optimisation_table(),
 };

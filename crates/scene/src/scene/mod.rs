@@ -23,9 +23,9 @@ pub struct Scene {
     /// The body, its adhesion, its grip and how that is moved; of a scene with a seta the body at each tip with its adhesion
     /// ([`Scene::tip_model`]), and how the root is moved.
     pub model: PeelModel,
-    /// The seta, where the scene has one; `peel run`, `peel sweep` and `peel uncertainty` compute it.
+    /// The seta, where the scene has one.
     pub seta: Option<SetaTable>,
-    /// The rate of the pull, where the scene has one; `peel run` and `peel sweep` alone follow it in time.
+    /// The rate of the pull, where the scene has one.
     pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
     pub accuracy: Accuracy,
@@ -99,6 +99,15 @@ impl Scene {
             Some(_) => study::checked(&self.tip_model(), &self.accuracy),
         }
     }
+
+    /// The numbers that a run of the scene has, and in words what has them.
+    pub(crate) fn quantities(&self) -> (&'static [PeelQuantity], &'static str) {
+        match (&self.time, &self.seta) {
+            (Some(_), _) => (&PeelQuantity::AT_A_RATE, "a pull at a rate"),
+            (None, Some(_)) => (&PeelQuantity::OF_A_SETA, "the pull-off of a seta"),
+            (None, None) => (&PeelQuantity::OF_A_PEEL, "a peel"),
+        }
+    }
 }
 
 /// The tables of a scene, which it is given where it has none.
@@ -122,13 +131,11 @@ impl Scene {
         self.optimisation.get_or_insert_default()
     }
 
-    /// What is pulled off tip by tip has no initiation peak.
+    /// The first number that a run of the scene has is what is asked for where the scene does not say it.
     pub(crate) fn uncertainty_table(&mut self) -> &mut UncertaintyTable {
-        let is_seta = self.seta.is_some();
-        self.uncertainty.get_or_insert_with(|| match UncertaintyTable::default() {
-            table if is_seta => UncertaintyTable { quantities: vec![PeelQuantity::PeakForce], ..table },
-            table => table,
-        })
+        let first = self.quantities().0[0];
+        self.uncertainty
+            .get_or_insert_with(|| UncertaintyTable { quantities: vec![first], ..UncertaintyTable::default() })
     }
 }
 

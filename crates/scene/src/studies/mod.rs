@@ -4,3 +4,4 @@ pub(crate) mod fit;
 pub(crate) mod optimise;
 pub(crate) mod parameters;
 pub(crate) mod uncertainty;
+mod whole;

@@ -1,16 +1,17 @@
 //! The design problem of a scene: what it asks of the library, and whether that has a meaning.
 
+use super::whole::has_no;
 use crate::body::body_of;
 use crate::error::ValueError;
 use crate::key::kind::Key;
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::scene::studies::{FreeKey, OptimisationTable, VolumeRule};
+use crate::tables::{rate, seta};
 use crate::value::{Value, show};
 use peelkit::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
-use peelkit::study::PeelQuantity;
 use peelkit::study::optimisation::{
-    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, NoOptimum, Objective, ProfileColumn,
+    ConstraintKind, DesignConstraint, DesignProblem, DesignVariable, NoOptimum, NumberBy, Objective, ProfileColumn,
     ProfileDesign, SearchMethod, volume,
 };
 use std::f64::consts::PI;
@@ -28,22 +29,32 @@ struct Designs {
 }
 
 impl Designs {
-    /// The model with these values; none where one is out of the range of its key.
+    /// What is checked and drawn of a design: of a seta the body at each of its tips.
     fn model(&self, values: &[f64]) -> Option<PeelModel> {
+        let scene = self.scene(values)?;
+        Some(if scene.seta.is_some() { scene.tip_model() } else { scene.model })
+    }
+
+    /// The scene with these values; none where one is out of the range of its key, and where there is no such seta or no such pull at a rate.
+    fn scene(&self, values: &[f64]) -> Option<Scene> {
         let table = self.scene.optimisation.as_ref()?;
         let (numbers, mut rest) = values.split_at_checked(table.parameters.len())?;
         let mut scene = self.scene.clone();
         for (free, &value) in table.parameters.iter().zip(numbers) {
             find_key(&free.path).ok()?.store_number(&mut scene, value).ok()?;
         }
-        let Some(profile) = &self.profile else { return Some(scene.model) };
+        if seta::problem(&scene).or_else(|| rate::problem(&scene)).is_some() {
+            return None;
+        }
+        let Some(profile) = &self.profile else { return Some(scene) };
         let mut columns = Vec::new();
         for &column in &self.columns {
             let (of_column, others) = rest.split_at_checked(profile.values(column).len())?;
             columns.push((column, of_column));
             rest = others;
         }
-        profile.shaped(&scene.model, &columns)
+        let model = profile.shaped(&scene.model, &columns)?;
+        Some(Scene { model, ..scene })
     }
 }
 
@@ -51,27 +62,29 @@ impl Scene {
     /// The scene of a design: the keys set, the profile a table, and nothing left to optimise; none where it is no scene.
     pub fn of_design(&self, values: &[f64]) -> Option<Self> {
         let table = self.optimisation.as_ref()?;
-        let problem = self.design_problem()?;
-        let mut scene =
-            Self { model: (problem.model)(values)?, optimisation: None, uncertainty: None, fit: None, ..self.clone() };
+        let found = self.designs(table).scene(values)?;
+        let mut scene = Self { optimisation: None, uncertainty: None, fit: None, ..found };
         if !table.columns().is_empty() {
             scene.table_texts.profile = table_text(&scene.model)?;
         }
         Some(scene)
     }
 
+    fn designs(&self, table: &OptimisationTable) -> Designs {
+        let columns: Vec<ProfileColumn> = table.columns().iter().map(|(column, _)| *column).collect();
+        let profile = (!columns.is_empty()).then(|| ProfileDesign::of(&self.model, table.values)).flatten();
+        Designs { scene: self.clone(), columns, profile }
+    }
+
     /// The design problem of the table `optimise`; none where the scene has none. What is wrong with it
-    /// [`peelkit::study::optimisation::DesignProblem::check`] says.
+    /// [`peelkit::study::optimisation::DesignProblem::check`] says. Of a scene with a seta or a rate who computes it has to say how in
+    /// [`DesignProblem::number`].
     pub fn design_problem(&self) -> Option<DesignProblem<'static>> {
         let table = self.optimisation.as_ref()?;
-        let objective = table.objective().unwrap_or(Objective::Quantity(PeelQuantity::InitiationPeakForce));
+        let objective = table.objective().unwrap_or(Objective::Quantity(self.quantities().0[0]));
         let columns = table.columns();
-        let profile = (!columns.is_empty()).then(|| ProfileDesign::of(&self.model, table.values)).flatten();
-        let designs = Designs {
-            scene: self.clone(),
-            columns: columns.iter().map(|(column, _)| *column).collect(),
-            profile: profile.clone(),
-        };
+        let designs = self.designs(table);
+        let profile = designs.profile.clone();
         let (mut variables, mut start) = (Vec::new(), Vec::new());
         for free in &table.parameters {
             let value = find_key(&free.path).ok().and_then(|key| key.value(self));
@@ -90,7 +103,8 @@ impl Scene {
         }
         constraints.extend(volume_constraint(table.volume_rule(), &self.model, designs.clone()));
         let model = Box::new(move |values: &[f64]| designs.model(values));
-        Some(DesignProblem { objective, goal: table.goal, variables, constraints, model, start })
+        let number = NumberBy::Peel;
+        Some(DesignProblem { objective, goal: table.goal, variables, constraints, model, number, start })
     }
 }
 
@@ -121,6 +135,7 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let wrong = Wrong { scene, table };
     let found = wrong
         .free()
+        .and_then(|()| wrong.objective())
         .and_then(|()| wrong.angles())
         .and_then(|()| table.parameters.iter().enumerate().try_for_each(|(item, free)| wrong.parameter(item, free)))
         .and_then(|()| wrong.profiles())
@@ -151,6 +166,12 @@ impl Wrong<'_> {
             );
         }
         Ok(())
+    }
+
+    /// Whether a run of the scene has what is optimised.
+    fn objective(&self) -> Checked {
+        let none = self.table.objective.and_then(|of| has_no(self.scene, of));
+        none.map_or(Ok(()), |none| refuse("objective", none.found, none.remedy))
     }
 
     fn angles(&self) -> Checked {
@@ -302,6 +323,14 @@ impl Wrong<'_> {
     }
 
     fn method(&self) -> Checked {
+        let is_peel = self.scene.seta.is_none() && self.scene.time.is_none();
+        if let Some(method) = self.table.method.filter(|&method| !is_peel && method != SearchMethod::DerivativeFree) {
+            return refuse(
+                "method",
+                format!("is \"{}\", and {} has no derivatives", method.word(), self.scene.quantities().1),
+                "Use \"derivative-free\", or leave it out.",
+            );
+        }
         let constrained = self.table.volume_rule() != VolumeRule::Free
             || self.table.columns().iter().any(|(_, free)| free.slope.is_some());
         if self.table.method == Some(SearchMethod::QuasiNewton) && constrained {

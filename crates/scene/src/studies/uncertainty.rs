@@ -1,6 +1,7 @@
 //! What is uncertain of a scene: the plan that it asks of the library, the scene at any values of the uncertain keys, and whether every
 //! distribution stays where its key may be.
 
+use super::whole::has_no;
 use crate::error::ValueError;
 use crate::key::kind::Key;
 use crate::keys::find_key;
@@ -8,7 +9,6 @@ use crate::scene::Scene;
 use crate::scene::studies::{CorrelatedKeys, UncertainKey, UncertaintyTable};
 use crate::value::{Value, quoted, show};
 use peelkit::model::PeelModel;
-use peelkit::study::PeelQuantity;
 use peelkit::study::uncertainty::{Correlation, Design, Distribution, Indices, Input, NoDesign, Plan};
 
 /// The table of a scene.
@@ -74,9 +74,6 @@ impl UncertainKey {
 /// The largest probability of a value that cannot be computed.
 const MOST_OUTSIDE: f64 = 1e-6;
 
-/// What can be asked of a seta.
-const OF_A_SETA: [PeelQuantity; 2] = [PeelQuantity::PeakForce, PeelQuantity::PeakDisplacement];
-
 /// What is wrong with the table of a scene: its key, and how.
 pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let table = scene.uncertainty.as_ref()?;
@@ -85,10 +82,8 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     if let Some(problem) = each {
         return Some(at("inputs", problem));
     }
-    if let Some(other) = table.quantities.iter().find(|of| scene.seta.is_some() && !OF_A_SETA.contains(of)) {
-        let names = OF_A_SETA.map(PeelQuantity::name).join(", ");
-        let found = format!("names \"{}\", which the pull-off of a seta does not have", other.name());
-        return Some(at("quantities", ValueError::new(found, format!("Of a seta there are {names}."))));
+    if let Some(none) = table.quantities.iter().find_map(|&of| has_no(scene, of)) {
+        return Some(at("quantities", none));
     }
     if let Some(path) = table.correlations.iter().flat_map(|of| &of.keys).find(|path| !has(table, path)) {
         let known: Vec<&str> = table.inputs.iter().map(|of| of.path.as_str()).collect();
@@ -184,7 +179,7 @@ fn inside(scene: &Scene, key: &Key, distribution: &Distribution) -> Result<(), V
         };
         let narrower = "Use a narrower distribution.";
         key.store_number(&mut extreme, value).map_err(|error| ValueError::new(found(&error.found), narrower))?;
-        extreme.check().map_err(|error| ValueError::new(found(&error.to_string()), narrower))?;
+        extreme.check_whole().map_err(|error| ValueError::new(found(&error.found), narrower))?;
     }
     Ok(())
 }

@@ -34,12 +34,12 @@ fn named<T: PartialEq>(words: &[(&'static str, T)], value: &T) -> Option<Value> 
 
 /// `objective`
 pub(crate) static OBJECTIVE: Setting = Setting {
-    takes: "a number of a peel, by its name in summary.json, such as \"initiation_peak.force_nN\" or \"first_jump.work_aJ\"",
+    takes: "a number of a run, by its name in summary.json, such as \"initiation_peak.force_nN\" or \"first_jump.work_aJ\"",
     brief: "a result",
     example: "\"initiation_peak.force_nN\"",
-    form: || Form::Word(PeelQuantity::ALL.map(|quantity| quantity.name()).to_vec()),
+    form: || Form::Word(PeelQuantity::all().map(PeelQuantity::name).collect()),
     read: |scene, value, _| {
-        let words = PeelQuantity::ALL.map(|quantity| (quantity.name(), quantity));
+        let words: Vec<_> = PeelQuantity::all().map(|quantity| (quantity.name(), quantity)).collect();
         scene.optimisation_table().objective = Some(word(value, &words)?);
         Ok(())
     },

@@ -32,7 +32,7 @@ pub(crate) static MATERIAL: Setting = Setting {
 /// That a scene is pulled at a rate, where equilibria are followed.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of a scene that `peel run` and `peel sweep` alone follow in time; here equilibria are followed",
+        "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone follow in time; here equilibria are followed",
         "Give the scene to one of them, or remove [time] to follow the equilibria.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)

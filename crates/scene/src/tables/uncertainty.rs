@@ -54,10 +54,10 @@ pub(crate) static CORRELATIONS: Setting = Setting {
 
 /// `quantities`
 pub(crate) static QUANTITIES: Setting = Setting {
-    takes: "a list of numbers of a peel, by their names in summary.json, such as \"peak.force_nN\" or \"first_jump.work_aJ\"",
+    takes: "a list of numbers of a run, by their names in summary.json, such as \"peak.force_nN\" or \"first_jump.work_aJ\"",
     brief: "list of results",
     example: "[\"initiation_peak.force_nN\", \"first_jump.work_aJ\"]",
-    form: || Form::list(Form::Word(PeelQuantity::ALL.map(|quantity| quantity.name()).to_vec())),
+    form: || Form::list(Form::Word(PeelQuantity::all().map(PeelQuantity::name).collect())),
     read: |scene, value, _| {
         scene.uncertainty_table().quantities = quantities(list(value)?)?;
         Ok(())
@@ -124,12 +124,14 @@ fn whole(value: &Value, least: f64, most: f64) -> Result<f64, Fault> {
 }
 
 fn quantities(items: &[Value]) -> Result<Vec<PeelQuantity>, Fault> {
-    let names = PeelQuantity::ALL.map(PeelQuantity::name);
+    let names: Vec<&str> = PeelQuantity::all().map(PeelQuantity::name).collect();
     let mut found = Vec::with_capacity(items.len());
     for (item, value) in items.iter().enumerate() {
         let Value::Text(name) = value else { return Err(Fault::at(item, format!("has {value} as a result"))) };
         let quantity = PeelQuantity::named(name).ok_or_else(|| {
-            let guess = nearest(name, names).map(|near| format!("; did you mean \"{near}\"?")).unwrap_or_default();
+            let guess = nearest(name, names.iter().copied())
+                .map(|near| format!("; did you mean \"{near}\"?"))
+                .unwrap_or_default();
             Fault::at(item, format!("has {}, which is none of {}{guess}", quoted(name), names.join(", ")))
         })?;
         if found.contains(&quantity) {

@@ -1,5 +1,6 @@
 //! The first stable branch of a path as a machine with a spring records it.
 
+use super::pulled_curve::PulledCurve;
 use super::result::PointPlace;
 use crate::number::root::Bracket;
 use crate::solve::path::hermite::Hermite;
@@ -182,6 +183,8 @@ pub(super) struct Modelled {
     pub force: f64,
     /// dP/dU, nN/nm
     pub slope: f64,
+    /// Which branch it is on, of a curve with events
+    pub branch: usize,
     /// The point of the branch of which that was made
     at: BranchPoint,
 }
@@ -205,7 +208,26 @@ impl Modelled {
             PointPlace::OnBranch => (at.force, machine_slope),
             PointPlace::BehindJump => (at.force, 0.0),
         };
-        Self { place, force, slope, at }
+        Self { place, force, slope, branch: 0, at }
+    }
+
+    /// The same of a curve that is no peel, between these ends: behind the last one it keeps the force that it has there.
+    pub fn of_pull(curve: &PulledCurve, (start, end): (f64, f64), machine: f64) -> Self {
+        let (place, on_branch) = if machine < start {
+            (PointPlace::BeforeStart, (2.0 * start - machine).min(end))
+        } else if machine > end {
+            (PointPlace::BehindJump, end)
+        } else {
+            (PointPlace::OnBranch, machine)
+        };
+        let found = curve.at(on_branch);
+        let (force, slope) = match place {
+            PointPlace::BeforeStart => (2.0 * curve.at(start).force - found.force, found.slope),
+            PointPlace::OnBranch => (found.force, found.slope),
+            PointPlace::BehindJump => (found.force, 0.0),
+        };
+        let at = BranchPoint { grip: on_branch, force: found.force, slope: found.slope };
+        Self { place, force, slope, branch: found.branch, at }
     }
 
     /// u of the grip at the point of the branch, nm.

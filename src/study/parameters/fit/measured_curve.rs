@@ -18,7 +18,8 @@ pub struct MeasuredPoint {
 pub struct MeasuredJump {
     /// As the machine records it, nm: half-way between the points before and behind it
     pub displacement: f64,
-    /// Its standard error, nm: that of a place which is equally likely anywhere between the two
+    /// Its standard error, nm: that of a place which is equally likely anywhere between the two, or, where both have the same displacement, over the
+    /// smallest distance of the others
     pub error: f64,
 }
 
@@ -68,7 +69,11 @@ impl MeasuredCurve {
         let Some(before) = before else { return Ok(Self { points, jump: None, behind_jump: Vec::new() }) };
         let behind_jump = points.split_off(before);
         let (last, next) = (points[before - 1].displacement, behind_jump[0].displacement);
-        let found = MeasuredJump { displacement: 0.5 * (last + next), error: (next - last).max(0.0) / 12f64.sqrt() };
+        // two rows at one displacement say where it jumps as well as the record tells places apart
+        let apart =
+            || points.windows(2).map(|pair| pair[1].displacement - pair[0].displacement).filter(|way| *way > 0.0);
+        let width = if next > last { next - last } else { apart().fold(f64::INFINITY, f64::min) };
+        let found = MeasuredJump { displacement: 0.5 * (last + next), error: width / 12f64.sqrt() };
         if points.len() < LEAST {
             return Err(few(points.len(), Some(found.displacement)));
         }
@@ -168,6 +173,15 @@ mod tests {
         assert!((curve.jump.unwrap().error - 1.0 / 12f64.sqrt()).abs() < 1e-15);
         assert_eq!((curve.points.len(), curve.behind_jump.len()), (20, 10));
         assert!((0.3..3.0).contains(&(curve.noise() / 0.01)), "{}", curve.noise());
+    }
+
+    #[test]
+    fn a_jump_at_one_displacement_has_an_error() {
+        let forces: Vec<f64> = (0..30).map(|k| if k < 20 { 1.0 + wobble(k) } else { wobble(k) }).collect();
+        let mut points = points(&forces);
+        points[20].displacement = points[19].displacement;
+        let jump = MeasuredCurve::new(points, None).unwrap().jump.unwrap();
+        assert_eq!((jump.displacement, jump.error), (19.0, 1.0 / 12f64.sqrt()));
     }
 
     #[test]

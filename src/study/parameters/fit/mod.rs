@@ -10,11 +10,15 @@
 //! where P(U; p) is the first stable branch of the model's path under control of U, U* where that ends in the first jump, d* the displacement at
 //! which the measured curve jumps, and ρ the loss: t² for least squares. Each parameter has a coordinate, ln p where it is above zero. The
 //! least is found by Levenberg and Marquardt's method with the derivatives of [`crate::study::force_derivatives`].
+//!
+//! What is no peel, the pull-off of a seta or a pull at a rate, has its whole curve up to where nothing adheres any more in place of the branch, and
+//! that place in place of U*. Its derivatives are differences of whole curves; a point over which an event passes between the two has none.
 
 mod coordinate;
 mod machine_curve;
 pub(in crate::study) mod measured_curve;
 pub(in crate::study) mod problem;
+pub(in crate::study) mod pulled_curve;
 mod residuals;
 pub(in crate::study) mod result;
 pub(in crate::study) mod run;

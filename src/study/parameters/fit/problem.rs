@@ -1,7 +1,9 @@
 //! What is to be fitted, and how.
 
+use super::pulled_curve::PulledCurve;
 use crate::model::check::error::Range;
 use crate::model::peel::PeelModel;
+use crate::study::asked::stop_criteria::StopCriteria;
 
 /// What a parameter changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +34,17 @@ pub struct FitParameter {
 /// The model with these values of the parameters.
 pub type ModelOf<'m> = Box<dyn Fn(&[f64]) -> PeelModel + Send + Sync + 'm>;
 
+/// The curve of something else than a peel with these values of the parameters, computed as long as the criteria let it; or why there is none.
+pub type CurveOf<'m> = Box<dyn Fn(&[f64], &StopCriteria) -> Result<PulledCurve, String> + Send + Sync + 'm>;
+
+/// How the curve is computed.
+pub enum CurveBy<'m> {
+    /// By the peel of the model, with derivatives
+    Peel,
+    /// By something that has no derivatives, such as the pull-off of a seta
+    Values(CurveOf<'m>),
+}
+
 /// Parameters, and the model that has their values.
 pub struct FitProblem<'m> {
     /// In this order
@@ -39,6 +52,8 @@ pub struct FitProblem<'m> {
     /// The model with these values of the parameters; those of [`ParameterOf::DisplacementZero`] are not for it. It is checked where it is
     /// computed.
     pub model: ModelOf<'m>,
+    /// How its curve is computed
+    pub curve: CurveBy<'m>,
 }
 
 /// Of which parameters the profile likelihood is computed.

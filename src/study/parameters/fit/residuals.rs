@@ -3,20 +3,23 @@
 use super::coordinate::Coordinate;
 use super::machine_curve::{Change, MachineCurve, Modelled, jump_derivatives};
 use super::measured_curve::MeasuredCurve;
-use super::problem::{FitOptions, FitProblem, Loss, ParameterOf};
+use super::problem::{CurveBy, CurveOf, FitOptions, FitProblem, Loss, ParameterOf};
+use super::pulled_curve::PulledCurve;
 use super::result::NoFit;
 use crate::study::asked::accuracy::Accuracy;
 use crate::study::asked::stop_criteria::{Bound, StopCriteria};
 use crate::study::parameters::sensitivity::force::forces_on_branch;
-use crate::study::parameters::sensitivity::quantity::NoSensitivities;
 use crate::study::parameters::sensitivity::quantity::Variation;
 use crate::study::peel::result::{PathEnd, Peel};
 use crate::study::terms::term_selection::{checked, peel};
 use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Step of the coordinate by which the compliance is differentiated.
 const STEP: f64 = 1e-4;
+/// The same of all coordinates where there are no derivatives: curves are interpolated, and differences divide their errors by this.
+const BESIDE: f64 = 1e-2;
 /// A path that has no jump to find is followed this much farther than the points go, over their range.
 const BEYOND: f64 = 0.1;
 
@@ -39,12 +42,50 @@ pub(super) struct Evaluator<'a> {
 pub(super) struct Trial {
     /// Coordinates of the parameters
     pub x: DVector<f64>,
-    pub peel: Peel,
-    pub curve: MachineCurve,
+    /// What was computed
+    pub found: Found,
     /// One a measured point
     pub modelled: Vec<Modelled>,
     /// Displacement of the first jump as the machine records it, where one was measured, nm
     pub jump: Option<f64>,
+}
+
+/// The curve of the model.
+#[derive(Clone, Debug)]
+pub(super) enum Found {
+    /// A peel, and its first stable branch
+    Peel(Box<Peel>, MachineCurve),
+    /// Something else
+    Pull(PulledCurve),
+}
+
+/// Places of each step of a path at which its curve is given.
+const PER_STEP: usize = 8;
+
+impl Found {
+    /// (U, P) up to the jump, to be drawn.
+    pub fn points(&self) -> Vec<(f64, f64)> {
+        match self {
+            Self::Peel(_, curve) => curve.points(PER_STEP),
+            Self::Pull(curve) => curve.points(),
+        }
+    }
+
+    /// Where the machine is at the jump; none where there is none, as far as the curve was computed.
+    pub fn jump(&self) -> Option<f64> {
+        match self {
+            Self::Peel(_, curve) => curve.end.jumps.then_some(curve.end.machine),
+            Self::Pull(curve) => curve.detached,
+        }
+    }
+
+    /// Where the machine is at the end of the curve.
+    pub fn end(&self) -> f64 {
+        match self {
+            Self::Peel(_, curve) => curve.end.machine,
+            Self::Pull(curve) => curve.range().map_or(0.0, |(_, end)| end),
+        }
+    }
 }
 
 /// How much each datum counts.
@@ -56,6 +97,15 @@ pub(super) struct Weights {
     pub jump_error: f64,
     /// Of the loss, one a point
     pub robust: Vec<f64>,
+}
+
+/// The derivative of a number from its values with a coordinate changed by these steps: of both sides, of one, or zero where none is known.
+fn difference(here: f64, beside: impl Iterator<Item = (f64, f64)>) -> f64 {
+    match beside.collect::<Vec<_>>()[..] {
+        [(above, step), (below, back)] => (above - below) / (step - back),
+        [(value, step)] => (value - here) / step,
+        _ => 0.0,
+    }
 }
 
 /// Derivatives by all coordinates: a row a point, and one for the jump.
@@ -77,8 +127,39 @@ impl Evaluator<'_> {
         of.map_or(self.options.displacement_zero, |index| values[index])
     }
 
-    /// The path of the model at coordinates, and what it says of the measured points; else why not.
+    /// The curve of the model at coordinates, and what it says of the measured points; else why not.
     pub fn trial(&self, x: &DVector<f64>) -> Result<Trial, NoFit> {
+        match &self.problem.curve {
+            CurveBy::Peel => self.trial_of_peel(x),
+            CurveBy::Values(curve) => self.trial_of_pull(x, curve),
+        }
+    }
+
+    fn trial_of_pull(&self, x: &DVector<f64>, curve: &CurveOf) -> Result<Trial, NoFit> {
+        let values = self.values(x);
+        let zero = self.displacement_zero(&values);
+        self.paths.fetch_add(1, Ordering::Relaxed);
+        let curve = curve(&values, &(self.stop)()).map_err(NoFit::NoStart)?;
+        if curve.interrupted {
+            self.interrupted.store(true, Ordering::Relaxed);
+        }
+        let why = || curve.short.clone().unwrap_or_else(|| "the pull ends there".to_owned());
+        let ends = curve.range().ok_or_else(|| NoFit::NoStart(why()))?;
+        let last = self.measured.range().1 - zero;
+        if curve.detached.is_none() && ends.1 < last {
+            let end = ends.1;
+            return Err(NoFit::NoStart(format!(
+                "it goes to {end:.4} nm, and the measured points to {last:.4} nm: {}",
+                why()
+            )));
+        }
+        let at = |displacement: f64| Modelled::of_pull(&curve, ends, displacement - zero);
+        let modelled = self.measured.points.iter().map(|point| at(point.displacement)).collect();
+        let jump = self.jump().map(|_| curve.detached.unwrap_or(ends.1) + zero);
+        Ok(Trial { x: x.clone(), modelled, jump, found: Found::Pull(curve) })
+    }
+
+    fn trial_of_peel(&self, x: &DVector<f64>) -> Result<Trial, NoFit> {
         let values = self.values(x);
         let model = (self.problem.model)(&values);
         checked(&model, self.accuracy)?;
@@ -105,7 +186,7 @@ impl Evaluator<'_> {
         let at = |displacement: f64| Modelled::at(&curve, displacement - zero);
         let modelled = self.measured.points.iter().map(|point| at(point.displacement)).collect();
         let jump = self.jump().map(|_| curve.end.machine + zero);
-        Ok(Trial { x: x.clone(), modelled, jump, peel, curve })
+        Ok(Trial { x: x.clone(), modelled, jump, found: Found::Peel(Box::new(peel), curve) })
     }
 
     /// Those of the caller, and the end of the points where no jump behind it is asked for.
@@ -126,15 +207,67 @@ impl Evaluator<'_> {
     }
 
     /// Derivatives of a trial.
-    pub fn derivatives(&self, trial: &Trial) -> Result<Derivatives, NoSensitivities> {
+    pub fn derivatives(&self, trial: &Trial) -> Result<Derivatives, NoFit> {
+        let values = self.values(&trial.x);
+        let mut found = match &trial.found {
+            Found::Peel(peel, curve) => self.of_adjoint(trial, peel, curve)?,
+            Found::Pull(_) => self.of_differences(trial)?,
+        };
+        for index in (0..values.len()).filter(|&index| !self.is_of_model(index)) {
+            let rate = self.coordinates[index].rate(trial.x[index]);
+            trial.modelled.iter().enumerate().for_each(|(row, point)| found.force[(row, index)] = -point.slope * rate);
+            found.jump[index] = rate;
+        }
+        Ok(found)
+    }
+
+    fn is_of_model(&self, index: usize) -> bool {
+        self.problem.parameters[index].of == ParameterOf::Model
+    }
+
+    /// By differences of curves with one coordinate a little larger and a little smaller.
+    fn of_differences(&self, trial: &Trial) -> Result<Derivatives, NoFit> {
+        let of_model: Vec<usize> = (0..trial.x.len()).filter(|&index| self.is_of_model(index)).collect();
+        let beside: Vec<(usize, f64)> =
+            of_model.iter().flat_map(|&index| [BESIDE, -BESIDE].map(|step| (index, step))).collect();
+        let one = |&(index, step): &(usize, f64)| {
+            let mut x = trial.x.clone();
+            x[index] += step;
+            self.trial(&x)
+        };
+        let beside: Vec<Result<Trial, NoFit>> = beside.par_iter().map(one).collect();
+        let mut found = Derivatives {
+            force: DMatrix::zeros(trial.modelled.len(), trial.x.len()),
+            jump: DVector::zeros(trial.x.len()),
+        };
+        for (&index, sides) in of_model.iter().zip(beside.chunks(2)) {
+            let known =
+                || sides.iter().zip([BESIDE, -BESIDE]).filter_map(|(side, step)| Some((side.as_ref().ok()?, step)));
+            if known().next().is_none() {
+                return Err(sides[0].as_ref().err().cloned().unwrap_or(NoFit::NoParameters));
+            }
+            for (row, here) in trial.modelled.iter().enumerate() {
+                let alike = |(side, _): &(&Trial, f64)| {
+                    (side.modelled[row].branch, side.modelled[row].place) == (here.branch, here.place)
+                };
+                let forces = known().filter(alike).map(|(side, step)| (side.modelled[row].force, step));
+                found.force[(row, index)] = difference(here.force, forces);
+            }
+            let jumps = known().filter_map(|(side, step)| Some((side.jump?, step)));
+            found.jump[index] = trial.jump.map_or(0.0, |here| difference(here, jumps));
+        }
+        Ok(found)
+    }
+
+    /// By the derivatives of a peel.
+    fn of_adjoint(&self, trial: &Trial, peel: &Peel, curve: &MachineCurve) -> Result<Derivatives, NoFit> {
         let values = self.values(&trial.x);
         let beside = |index: usize, change: f64| {
             let mut values = values.clone();
             values[index] = self.coordinates[index].value(trial.x[index] + change);
             (self.problem.model)(&values)
         };
-        let of_model: Vec<usize> =
-            (0..values.len()).filter(|&index| self.problem.parameters[index].of == ParameterOf::Model).collect();
+        let of_model: Vec<usize> = (0..values.len()).filter(|&index| self.is_of_model(index)).collect();
         let variation = |&index: &usize| {
             let beside = &beside;
             Variation::new(self.problem.parameters[index].key.clone(), move |change| beside(index, change))
@@ -145,13 +278,12 @@ impl Evaluator<'_> {
             (of(STEP) - of(-STEP)) / (2.0 * STEP)
         };
         let compliance: Vec<f64> = of_model.iter().map(compliance).collect();
-        let curve = &trial.curve;
-        let jumps = jump_derivatives(&trial.peel, curve, &variations, &compliance)?;
+        let jumps = jump_derivatives(peel, curve, &variations, &compliance)?;
         let grips: Vec<f64> = trial.modelled.iter().map(Modelled::grip).collect();
-        let rows = forces_on_branch(&trial.peel, &grips, &variations)?;
+        let rows = forces_on_branch(peel, &grips, &variations)?;
         let at_start = match curve.start.1 {
             0.0 => vec![0.0; variations.len()],
-            _ => forces_on_branch(&trial.peel, &[0.0], &variations)?.swap_remove(0).derivatives,
+            _ => forces_on_branch(peel, &[0.0], &variations)?.swap_remove(0).derivatives,
         };
         let mut found = Derivatives {
             force: DMatrix::zeros(trial.modelled.len(), values.len()),
@@ -169,11 +301,6 @@ impl Evaluator<'_> {
                 found.force[(row, index)] = point.derivative(curve, &change);
             }
             found.jump[index] = jumps[column];
-        }
-        for index in (0..values.len()).filter(|index| !of_model.contains(index)) {
-            let rate = self.coordinates[index].rate(trial.x[index]);
-            trial.modelled.iter().enumerate().for_each(|(row, point)| found.force[(row, index)] = -point.slope * rate);
-            found.jump[index] = rate;
         }
         Ok(found)
     }
@@ -262,7 +389,8 @@ mod tests {
                 numbers.iter().map(|&number| parameter(number, ParameterOf::Model)).collect();
             parameters.push(parameter(0.7, ParameterOf::DisplacementZero));
             let count = numbers.len();
-            let problem = FitProblem { parameters, model: Box::new(move |values: &[f64]| model(&values[..count])) };
+            let model = Box::new(move |values: &[f64]| model(&values[..count]));
+            let problem = FitProblem { parameters, model, curve: CurveBy::Peel };
             let places = [0.6, 0.75, 1.0, 2.0, 6.0, 30.0, last];
             let point = |&displacement: &f64| MeasuredPoint { displacement, force: displacement, force_error: None };
             let mut measured = MeasuredCurve::new(places.iter().map(point).collect(), None).unwrap();

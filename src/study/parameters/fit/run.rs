@@ -23,8 +23,6 @@ const SETTLED: f64 = 0.02;
 const LEAST_ERROR: f64 = 1e-7;
 /// A parameter that changes the curve by less than this share of its largest force has no influence.
 const INFLUENCE: f64 = 1e-7;
-/// Places of each step of the path at which the curve is given.
-const PER_STEP: usize = 8;
 
 /// Finds the parameters of a problem with which the first stable branch of the path is nearest to a measured curve. `stop` gives the criteria of
 /// each path; one that is interrupted ends the fit with what was reached.
@@ -75,7 +73,7 @@ pub fn fit(
 /// Every parameter has to change the curve.
 fn has_influence(evaluator: &Evaluator, start: &Trial, found: &Derivatives) -> Result<(), NoFit> {
     let force = start.modelled.iter().fold(evaluator.measured.largest_force(), |most, at| at.force.abs().max(most));
-    let jump = start.curve.end.machine.abs();
+    let jump = start.found.end().abs();
     for (index, parameter) in evaluator.problem.parameters.iter().enumerate() {
         let largest = found.force.column(index).amax();
         let moved = if evaluator.jump().is_some() { found.jump[index].abs() } else { 0.0 };
@@ -205,7 +203,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let zero = zero_of(evaluator, &best);
     let shifted = |trial: &Trial| {
         let zero = zero_of(evaluator, trial);
-        trial.curve.points(PER_STEP).into_iter().map(|(u, force)| (u + zero, force)).collect()
+        trial.found.points().into_iter().map(|(u, force)| (u + zero, force)).collect()
     };
     Ok(Fit {
         correlations: (0..count).map(row).collect(),
@@ -216,7 +214,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         jump: evaluator.measured.jump.map(|jump| FittedJump {
             displacement: jump.displacement,
             error: weights.jump_error,
-            modelled: best.curve.end.jumps.then_some(best.curve.end.machine + zero),
+            modelled: best.found.jump().map(|jump| jump + zero),
             used: evaluator.jump().is_some(),
         }),
         sum_of_squares: found.sum,
@@ -227,7 +225,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         displacement_zero: zero,
         curve: shifted(&best),
         initial_curve: shifted(start),
-        model: best.peel.model.clone(),
+        model: (evaluator.problem.model)(&values),
         paths: evaluator.paths.load(Ordering::Relaxed),
         weightings,
         end,
@@ -237,7 +235,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
 
 /// That the measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
 fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
-    let curve = start.curve.points(PER_STEP);
+    let curve = start.found.points();
     let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
     let (from, to) = measured.range();
     let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };

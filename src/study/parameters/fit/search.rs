@@ -1,7 +1,7 @@
 //! The least squares of some coordinates, the others held, by Levenberg and Marquardt's method.
 
 use super::residuals::{Derivatives, Evaluator, Trial, Weights};
-use crate::study::parameters::sensitivity::quantity::NoSensitivities;
+use super::result::NoFit;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -92,7 +92,7 @@ struct Search<'a> {
     best: (Arc<Trial>, f64),
     bad: f64,
     data: usize,
-    trouble: RefCell<Option<NoSensitivities>>,
+    trouble: RefCell<Option<NoFit>>,
 }
 
 /// Trials that are remembered.

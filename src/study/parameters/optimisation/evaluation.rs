@@ -1,6 +1,7 @@
-//! One design evaluated: ln Q and its gradient from one peel a factor of the objective, and one adjoint.
+//! One design evaluated: ln Q and its gradient from one peel a factor of the objective, and one adjoint; or ln Q alone where something else than a
+//! peel has the number.
 
-use super::problem::{DesignProblem, Factor};
+use super::problem::{DesignFound, DesignProblem, Factor, NumberBy};
 use crate::model::peel::PeelModel;
 use crate::solve::path::options::{PathOptions, Waypoint};
 use crate::study::asked::accuracy::{Accuracy, Choice};
@@ -27,28 +28,43 @@ pub(super) struct Precise {
 pub(super) struct Evaluator<'p> {
     problem: &'p DesignProblem<'p>,
     options: &'p OptimisationOptions<'p>,
-    factors: Vec<(Factor, SearchPath)>,
+    /// None where the number is not that of a peel
+    paths: Vec<(Factor, SearchPath)>,
 }
 
 impl<'p> Evaluator<'p> {
-    /// From the peels of the start.
-    pub fn new(problem: &'p DesignProblem<'p>, options: &'p OptimisationOptions<'p>, start: &[Peel]) -> Self {
+    /// From what was computed of the start.
+    pub fn new(problem: &'p DesignProblem<'p>, options: &'p OptimisationOptions<'p>, start: &DesignFound) -> Self {
         let path = |(factor, peel): (Factor, &Peel)| (factor, SearchPath::new(factor.of, peel));
-        let factors = problem.objective.factors().into_iter().zip(start).map(path).collect();
-        Self { problem, options, factors }
+        let paths = match start {
+            DesignFound::Peels(peels) => problem.objective.factors().into_iter().zip(peels).map(path).collect(),
+            DesignFound::Curves(_) => Vec::new(),
+        };
+        Self { problem, options, paths }
     }
 
     /// ln Q at coordinates, with its gradient where that is asked for.
     pub fn evaluate(&self, coordinates: &[f64], with_gradient: bool) -> Evaluation {
-        let found = self.log_value(coordinates, with_gradient);
+        let found = match &self.problem.number {
+            NumberBy::Peel => self.by_peels(coordinates, with_gradient),
+            NumberBy::Values(number) => {
+                let values = self.problem.values(coordinates);
+                let log_of = |factor: &Factor| {
+                    let found = number(&values, factor.angle, &(self.options.stop)()).ok()?;
+                    Some(factor.power * Some(found.value).filter(|&value| value > 0.0)?.ln())
+                };
+                let sum: Option<f64> = self.problem.objective.factors().iter().map(log_of).sum();
+                sum.filter(|sum| sum.is_finite()).map(|sum| (sum, Vec::new()))
+            }
+        };
         let (log_value, gradient) = found.map_or((None, Vec::new()), |(value, gradient)| (Some(value), gradient));
         Evaluation { coordinates: coordinates.to_vec(), log_value, gradient }
     }
 
-    fn log_value(&self, coordinates: &[f64], with_gradient: bool) -> Option<(f64, Vec<f64>)> {
+    fn by_peels(&self, coordinates: &[f64], with_gradient: bool) -> Option<(f64, Vec<f64>)> {
         let model = self.problem.model_at(coordinates)?;
         let (mut sum, mut gradient) = (0.0, vec![0.0; if with_gradient { coordinates.len() } else { 0 }]);
-        for (factor, path) in &self.factors {
+        for (factor, path) in &self.paths {
             let peel = path.peel(&factor.model(model.clone()), self.options);
             let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
             sum += factor.power * value.ln();
@@ -63,12 +79,15 @@ impl<'p> Evaluator<'p> {
         (sum.is_finite() && gradient.iter().all(|slope| slope.is_finite())).then_some((sum, gradient))
     }
 
-    /// The gradient of ln Q from peels to the accuracy asked for.
+    /// The gradient of ln Q from peels to the accuracy asked for; none where the number is not that of a peel.
     pub fn precise(&self, coordinates: &[f64]) -> Option<Precise> {
+        if self.paths.is_empty() {
+            return None;
+        }
         let model = self.problem.model_at(coordinates)?;
         let zero = || vec![0.0; coordinates.len()];
         let mut sum = Precise { gradient: zero(), errors: zero() };
-        for (factor, _) in &self.factors {
+        for (factor, _) in &self.paths {
             let peel = peel(&factor.model(model.clone()), &self.options.accuracy, &(self.options.stop)());
             let value = factor.of.value(&peel).filter(|&value| value > 0.0)?;
             for (k, slope) in derivatives(self.problem, factor, &peel, coordinates).ok()?.iter().enumerate() {

@@ -1,11 +1,11 @@
 //! Why a design is an optimum, as far as that can be said: first-order conditions, neighbours, and a search without gradients.
 
 use super::evaluation::{Evaluator, OptimisationOptions};
-use super::problem::{ConstraintKind, DesignConstraint, DesignProblem, DesignVariable};
+use super::problem::{ConstraintKind, DesignConstraint, DesignFound, DesignProblem, DesignVariable};
 use super::refine::ActiveConstraint;
 use super::search::{FEASIBLE, SearchResult};
 use crate::model::check::error::ModelError;
-use crate::study::peel::result::{PathEnd, Peel};
+use crate::study::peel::result::PathEnd;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -245,6 +245,8 @@ pub enum NoOptimum {
         "the peel of the design at the start has no {name}: it ended {end}; choose another objective, or another start"
     )]
     NoObjective { name: &'static str, end: String },
+    #[error("the design at the start has no {name}: {why}; choose another objective, or another start")]
+    NoNumber { name: &'static str, why: String },
     #[error("{name} is {value:e} at the start, and an objective has to be above zero")]
     NotPositive { name: &'static str, value: f64 },
     #[error(
@@ -278,8 +280,8 @@ pub struct Design {
     pub objective: f64,
     /// Bound on the error of Q; none where the number of the peel has none
     pub error: Option<f64>,
-    /// One a factor of the objective
-    pub peels: Vec<Peel>,
+    /// What the objective is made of
+    pub of: DesignFound,
 }
 
 /// The best design that was found.

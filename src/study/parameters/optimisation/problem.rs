@@ -8,8 +8,10 @@
 //! - for a maximum, + for a minimum of the objective Q. Derivatives of ln Q have no unit, and neither have g and e.
 
 use crate::model::peel::PeelModel;
+use crate::study::asked::stop_criteria::StopCriteria;
 use crate::study::limit_point_continuation::result::Spacing;
 use crate::study::parameters::sensitivity::quantity::PeelQuantity;
+use crate::study::peel::result::Peel;
 
 /// Whether the objective is to be large or small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,6 +163,39 @@ pub struct DesignConstraint<'m> {
 /// The model of the values of all variables; none where there is no such model.
 pub type DesignModel<'m> = Box<dyn Fn(&[f64]) -> Option<PeelModel> + Send + Sync + 'm>;
 
+/// A number of a design that was computed by something else than a peel.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DesignNumber {
+    /// In its unit
+    pub value: f64,
+    /// Bound on its error; none where there is none
+    pub error: Option<f64>,
+    /// Displacement (nm) and force (nN) of what was computed
+    pub curve: Vec<(f64, f64)>,
+}
+
+/// What was computed of a design, one a factor of the objective.
+#[derive(Debug)]
+pub enum DesignFound {
+    /// Peels
+    Peels(Vec<Peel>),
+    /// Displacement (nm) and force (nN) of something else
+    Curves(Vec<Vec<(f64, f64)>>),
+}
+
+/// The number of the objective from the values of all variables and, of a ratio, the angle of the pull (rad), computed as long as the criteria let it;
+/// or why there is none.
+pub type NumberOf<'m> =
+    Box<dyn Fn(&[f64], Option<f64>, &StopCriteria) -> Result<DesignNumber, String> + Send + Sync + 'm>;
+
+/// How the number of a design is computed.
+pub enum NumberBy<'m> {
+    /// By the peel of its model, with derivatives
+    Peel,
+    /// By something that has no derivatives, such as the pull-off of a seta
+    Values(NumberOf<'m>),
+}
+
 /// An objective over design variables, under constraints.
 pub struct DesignProblem<'m> {
     /// What is optimised
@@ -171,8 +206,10 @@ pub struct DesignProblem<'m> {
     pub variables: Vec<DesignVariable>,
     /// What has to hold beside the bounds of the variables
     pub constraints: Vec<DesignConstraint<'m>>,
-    /// From the values of the variables to what is peeled
+    /// From the values of the variables to what is peeled; where the number is not that of its peel, to what is checked and drawn of a design
     pub model: DesignModel<'m>,
+    /// How the number of a design is computed
+    pub number: NumberBy<'m>,
     /// The values of the design that the optimum is compared with, and where the first search begins
     pub start: Vec<f64>,
 }

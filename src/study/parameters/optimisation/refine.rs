@@ -31,7 +31,7 @@ pub(super) fn refined(problem: &DesignProblem, evaluator: &Evaluator, from: &[f6
     let mut best = Refined { coordinates: from.to_vec(), precise: evaluator.precise(from), errors: None };
     let free: Vec<usize> =
         (0..from.len()).filter(|&i| from[i] > AT_BOUND + STEP && from[i] < 1.0 - AT_BOUND - STEP).collect();
-    if free.is_empty() || free.len() > MOST || !problem.constraints.is_empty() {
+    if best.precise.is_none() || free.is_empty() || free.len() > MOST || !problem.constraints.is_empty() {
         return best;
     }
     let Some(curvature) = curvature(evaluator, from, &free) else { return best };

@@ -5,7 +5,7 @@ use super::methods;
 use super::optimum::{
     Certificate, DerivativeFreeCheck, Design, NoOptimum, Optimum, end_text, neighbours, projected, random,
 };
-use super::problem::{DesignProblem, Factor};
+use super::problem::{DesignFound, DesignNumber, DesignProblem, Factor, NumberBy, NumberOf};
 use super::refine::{projected_gradient, refined};
 use super::search::{FEASIBLE, Search, SearchEnd, SearchResult};
 use crate::study::peel::result::Peel;
@@ -21,14 +21,15 @@ pub fn optimise(problem: &DesignProblem, options: &OptimisationOptions) -> Resul
     let given = problem.coordinates(&problem.start);
     let first = feasible(problem, &given)?;
     let before = design(problem, options, &given)?;
-    let method = options.method.unwrap_or(match problem.constraints.is_empty() {
-        true => SearchMethod::QuasiNewton,
-        false => SearchMethod::SequentialQuadratic,
+    let method = options.method.unwrap_or(match (&before.of, problem.constraints.is_empty()) {
+        (DesignFound::Curves(_), _) => SearchMethod::DerivativeFree,
+        (DesignFound::Peels(_), true) => SearchMethod::QuasiNewton,
+        (DesignFound::Peels(_), false) => SearchMethod::SequentialQuadratic,
     });
     if method != SearchMethod::DerivativeFree {
         differentiable(problem, &before)?;
     }
-    let evaluator = Evaluator::new(problem, options, &before.peels);
+    let evaluator = Evaluator::new(problem, options, &before.of);
     let starts: Vec<Vec<f64>> = std::iter::once(first)
         .chain((1..options.starts).filter_map(|number| random(problem, options.seed, number as u64)))
         .collect();
@@ -91,33 +92,69 @@ fn feasible(problem: &DesignProblem, given: &[f64]) -> Result<Vec<f64>, NoOptimu
     })
 }
 
-/// The peels of a design to the accuracy asked for.
+/// A design to the accuracy asked for.
 fn design(problem: &DesignProblem, options: &OptimisationOptions, coordinates: &[f64]) -> Result<Design, NoOptimum> {
-    let model = problem.model_at(coordinates).ok_or(NoOptimum::NoModel)?;
-    model.check()?;
     let factors = problem.objective.factors();
-    let one = |factor: &Factor| peel(&factor.model(model.clone()), &options.accuracy, &(options.stop)());
-    let peels: Vec<Peel> = factors.par_iter().map(one).collect();
+    let (numbers, of) = match &problem.number {
+        NumberBy::Peel => peeled(problem, options, coordinates, &factors)?,
+        NumberBy::Values(number) => computed(&problem.values(coordinates), options, number, &factors)?,
+    };
     let (mut objective, mut error) = (1.0, Some(0.0));
-    for (factor, peel) in factors.iter().zip(&peels) {
-        let name = factor.of.name();
-        let Some(value) = factor.of.value(peel) else {
-            return Err(NoOptimum::NoObjective { name, end: end_text(&peel.end) });
-        };
+    for (factor, (value, own)) in factors.iter().zip(numbers) {
         if value <= 0.0 {
-            return Err(NoOptimum::NotPositive { name, value });
+            return Err(NoOptimum::NotPositive { name: factor.of.name(), value });
         }
         objective *= value.powf(factor.power);
-        error = error.zip(factor.of.error(peel)).map(|(sum, error)| sum + error / value);
+        error = error.zip(own).map(|(sum, error)| sum + error / value);
     }
     let values = problem.values(coordinates);
     let coordinates = coordinates.to_vec();
-    Ok(Design { values, coordinates, objective, error: error.map(|error| error * objective), peels })
+    Ok(Design { values, coordinates, objective, error: error.map(|error| error * objective), of })
+}
+
+/// The number of each factor of an objective with the bound on its error, and what has these numbers.
+type Numbers = (Vec<(f64, Option<f64>)>, DesignFound);
+
+fn peeled(
+    problem: &DesignProblem,
+    options: &OptimisationOptions,
+    coordinates: &[f64],
+    factors: &[Factor],
+) -> Result<Numbers, NoOptimum> {
+    let model = problem.model_at(coordinates).ok_or(NoOptimum::NoModel)?;
+    model.check()?;
+    let one = |factor: &Factor| peel(&factor.model(model.clone()), &options.accuracy, &(options.stop)());
+    let peels: Vec<Peel> = factors.par_iter().map(one).collect();
+    let number = |(factor, peel): (&Factor, &Peel)| match factor.of.value(peel) {
+        Some(value) => Ok((value, factor.of.error(peel))),
+        None => Err(NoOptimum::NoObjective { name: factor.of.name(), end: end_text(&peel.end) }),
+    };
+    let numbers: Result<Vec<_>, _> = factors.iter().zip(&peels).map(number).collect();
+    Ok((numbers?, DesignFound::Peels(peels)))
+}
+
+fn computed(
+    values: &[f64],
+    options: &OptimisationOptions,
+    number: &NumberOf,
+    factors: &[Factor],
+) -> Result<Numbers, NoOptimum> {
+    let one = |factor: &Factor| {
+        number(values, factor.angle, &(options.stop)())
+            .map_err(|why| NoOptimum::NoNumber { name: factor.of.name(), why })
+    };
+    let found: Vec<DesignNumber> = factors.par_iter().map(one).collect::<Result<_, _>>()?;
+    let numbers = found.iter().map(|found| (found.value, found.error)).collect();
+    Ok((numbers, DesignFound::Curves(found.into_iter().map(|found| found.curve).collect())))
 }
 
 /// Whether the objective has a gradient at the start: else it has none anywhere.
 fn differentiable(problem: &DesignProblem, before: &Design) -> Result<(), NoOptimum> {
-    problem.objective.factors().iter().zip(&before.peels).try_for_each(|(factor, peel)| {
+    let DesignFound::Peels(peels) = &before.of else {
+        let why = "it is not the number of a peel of a single beam in equilibrium".to_owned();
+        return Err(NoOptimum::NoGradient { why });
+    };
+    problem.objective.factors().iter().zip(peels).try_for_each(|(factor, peel)| {
         derivatives(problem, factor, peel, &before.coordinates).map(drop).map_err(|why| NoOptimum::NoGradient { why })
     })
 }

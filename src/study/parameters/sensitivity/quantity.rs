@@ -1,4 +1,4 @@
-//! The numbers of a peel that can be differentiated, minimised, or called uncertain.
+//! The numbers of a peel that can be differentiated, optimised, or called uncertain, and those of other pulls that can be optimised or called uncertain.
 
 use crate::model::check::error::ModelError;
 use crate::model::peel::PeelModel;
@@ -10,7 +10,7 @@ use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::{LimitPoint, Peak};
 use PeelQuantity::*;
 
-/// A number of a peel.
+/// A number of a peel, of the pull-off of a seta, or of a pull at a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum PeelQuantity {
     /// Of the first load limit point that is a maximum, nN
@@ -35,11 +35,17 @@ pub enum PeelQuantity {
     DetachmentDisplacement,
     /// Work up to there, aJ
     DetachmentWork,
+    /// Of a pull at a rate, nN
+    LargestForce,
+    /// Its displacement, nm
+    LargestForceDisplacement,
+    /// Of what pulls a seta, or a beam at a rate, to the end, aJ
+    Work,
 }
 
 impl PeelQuantity {
-    /// All of them, in the order in which they are reported.
-    pub const ALL: [Self; 11] = [
+    /// Those of the peel of a beam, in the order in which they are reported.
+    pub const OF_A_PEEL: [Self; 11] = [
         InitiationPeakForce,
         InitiationPeakDisplacement,
         PeakForce,
@@ -52,6 +58,15 @@ impl PeelQuantity {
         DetachmentDisplacement,
         DetachmentWork,
     ];
+    /// Those of the pull-off of a seta.
+    pub const OF_A_SETA: [Self; 3] = [PeakForce, PeakDisplacement, Work];
+    /// Those of a pull at a rate, of a beam or of a seta.
+    pub const AT_A_RATE: [Self; 3] = [LargestForce, LargestForceDisplacement, Work];
+
+    /// All of them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        Self::OF_A_PEEL.into_iter().chain(Self::AT_A_RATE)
+    }
 
     /// Where it stands in a summary, with its unit.
     pub fn name(self) -> &'static str {
@@ -67,24 +82,31 @@ impl PeelQuantity {
             DetachmentForce => "detachment.force_nN",
             DetachmentDisplacement => "detachment.displacement_nm",
             DetachmentWork => "detachment.work_aJ",
+            LargestForce => "largest_force.force_nN",
+            LargestForceDisplacement => "largest_force.displacement_nm",
+            Work => "balance.work_aJ",
         }
     }
 
     /// Its unit.
     pub fn unit(self) -> &'static str {
         match self {
-            InitiationPeakForce | PeakForce | PlateauForce | FirstJumpForce | DetachmentForce => "nN",
-            InitiationPeakDisplacement | PeakDisplacement | FirstJumpDisplacement | DetachmentDisplacement => "nm",
-            FirstJumpWork | DetachmentWork => "aJ",
+            InitiationPeakForce | PeakForce | PlateauForce | FirstJumpForce | DetachmentForce | LargestForce => "nN",
+            InitiationPeakDisplacement
+            | PeakDisplacement
+            | FirstJumpDisplacement
+            | DetachmentDisplacement
+            | LargestForceDisplacement => "nm",
+            FirstJumpWork | DetachmentWork | Work => "aJ",
         }
     }
 
     /// The one with this name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|quantity| quantity.name() == name)
+        Self::all().find(|quantity| quantity.name() == name)
     }
 
-    /// Its value; none where the path does not have it.
+    /// Its value of a peel; none where the path does not have it.
     pub fn value(self, peel: &Peel) -> Option<f64> {
         self.with_error(peel).map(|(value, _)| value)
     }
@@ -110,6 +132,7 @@ impl PeelQuantity {
             PlateauForce => peel.plateau.map(|at| (at.force, at.force_error)),
             FirstJumpForce | FirstJumpDisplacement | FirstJumpWork => peel.snap_off.as_ref().map(jump),
             DetachmentForce | DetachmentDisplacement | DetachmentWork => peel.detachment.as_ref().map(jump),
+            LargestForce | LargestForceDisplacement | Work => None,
         }
     }
 
@@ -123,7 +146,7 @@ impl PeelQuantity {
         match self {
             InitiationPeakForce | InitiationPeakDisplacement => peel.initiation_peak.as_ref().and_then(turn),
             PeakForce | PeakDisplacement => peel.peak.as_ref().and_then(turn),
-            PlateauForce => None,
+            PlateauForce | LargestForce | LargestForceDisplacement | Work => None,
             FirstJumpForce | FirstJumpDisplacement | FirstJumpWork => peel.snap_off.as_ref().and_then(jump),
             DetachmentForce | DetachmentDisplacement | DetachmentWork => peel.detachment.as_ref().and_then(jump),
         }

@@ -1,0 +1,188 @@
+//! Numbers and curves of scenes that are no peel of a beam in equilibrium: the pull-off of a seta, and a pull at a rate, of a beam or of a seta. Who
+//! samples, optimises or fits such scenes asks here, and does not ask which of these they are.
+
+use crate::rate::pull_at_rate;
+use crate::session::{Cost, Parts, Progress, Session};
+use crate::seta::Setae;
+use peelkit::study::uncertainty::{Outcome, Sampled};
+use peelkit::study::{Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, Stage, StopCriteria, StopReason};
+use peelkit_report::{PulledAtRate, RateResult, seta_end_reason, timed};
+use peelkit_scene::{Scene, UncertaintyTable};
+use std::sync::OnceLock;
+
+/// Pulls of scenes that differ from one another in some keys.
+pub struct Pulls {
+    setae: Setae,
+    what: &'static str,
+}
+
+/// The numbers of one pull, and its curve.
+pub struct Pulled {
+    /// The largest force, its displacement, and how far the force may be off by the mesh; none of a pull that stopped short, whose largest force may
+    /// lie ahead
+    peak: Option<(f64, f64, Option<f64>)>,
+    /// Likewise
+    work: Option<f64>,
+    /// Force over displacement
+    pub curve: PulledCurve,
+}
+
+impl Pulls {
+    /// Of scenes like this one; none where it is a peel.
+    pub fn like(scene: &Scene) -> Option<Self> {
+        let what = match (&scene.time, &scene.seta) {
+            (Some(_), _) => "pulls at a rate",
+            (None, Some(_)) => "pull-offs of a seta",
+            (None, None) => return None,
+        };
+        Some(Self { setae: Setae::like(scene), what })
+    }
+
+    /// Computes what all of them have in common, so that it counts for none of them: the law of the tips.
+    pub fn prepare(&self, scene: &Scene, stop: &StopCriteria) {
+        self.setae.prepare(scene, stop);
+    }
+
+    /// The pull of a scene, or why there is none. Called from any thread.
+    pub fn pulled(&self, scene: &Scene, stop: &StopCriteria) -> Result<Pulled, String> {
+        scene.check_whole().map_err(|error| format!("{}. {}", error.found, error.remedy))?;
+        if scene.time.is_some() {
+            let (pulled, failed) = pull_at_rate(scene, &self.setae, stop)?;
+            let curve = at_rate(&pulled, failed.clone(), stop);
+            let found = RateResult::new(&pulled, failed);
+            let whole = curve.short.is_none();
+            return Ok(Pulled {
+                peak: whole.then_some((found.largest_force, found.displacement, None)),
+                work: whole.then_some(found.work),
+                curve,
+            });
+        }
+        let (pull_off, found) = self.setae.pulled_off(scene, stop)?;
+        let whole = !found.end.is_cut_short();
+        let peak = found.peak.filter(|_| whole);
+        Ok(Pulled {
+            peak: peak.map(|peak| (peak.force, peak.displacement, found.mesh_error)),
+            work: whole.then_some(found.work),
+            curve: of_seta(&pull_off),
+        })
+    }
+
+    /// The curve of the pull of a scene alone, or why there is none. Called from any thread.
+    pub fn curve(&self, scene: &Scene, stop: &StopCriteria) -> Result<PulledCurve, String> {
+        scene.check_whole().map_err(|error| format!("{}. {}", error.found, error.remedy))?;
+        if scene.time.is_some() {
+            let (pulled, failed) = pull_at_rate(scene, &self.setae, stop)?;
+            return Ok(at_rate(&pulled, failed, stop));
+        }
+        Ok(of_seta(&self.setae.followed(scene, stop)?.1))
+    }
+
+    /// Times the first of the computations of a session, and tells what they cost.
+    pub fn meter<'s>(&'s self, session: &'s Session<'s>, parts: Parts) -> Meter<'s> {
+        Meter { session, what: self.what, parts, told: OnceLock::new() }
+    }
+}
+
+impl Pulled {
+    /// A number with the bound on its error; none that it does not have.
+    pub fn value(&self, of: PeelQuantity) -> Option<(f64, Option<f64>)> {
+        match of {
+            PeelQuantity::PeakForce | PeelQuantity::LargestForce => self.peak.map(|(force, _, error)| (force, error)),
+            PeelQuantity::PeakDisplacement | PeelQuantity::LargestForceDisplacement => {
+                self.peak.map(|(_, displacement, _)| (displacement, None))
+            }
+            PeelQuantity::Work => self.work.map(|work| (work, None)),
+            _ => None,
+        }
+    }
+}
+
+/// Of the last step of a pull-off.
+fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
+    let step = pull_off.points.last().map_or(0, |last| last.step);
+    let points = pull_off.points.iter().filter(|point| point.step == step);
+    let lost = points.clone().find(|point| point.attached == 0);
+    let mut curve = PulledCurve::of(points.map(|point| (point.displacement, point.force_along)));
+    curve.detached = lost.map(|point| point.displacement);
+    curve.short = seta_end_reason(&pull_off.end);
+    curve.interrupted = matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+    curve
+}
+
+fn at_rate(pulled: &PulledAtRate, failed: Option<String>, stop: &StopCriteria) -> PulledCurve {
+    let lost = pulled.contact_lost.and_then(|time| pulled.points.iter().find(|point| point.time >= time));
+    let asked = || stop.should_stop.as_ref().and_then(|asked| asked(Stage::Path));
+    let mut curve = PulledCurve::of(pulled.points.iter().map(|point| (point.displacement, point.force)));
+    curve.detached = lost.map(|point| point.displacement);
+    curve.interrupted = failed.is_some() && asked() == Some(StopReason::Interrupted);
+    curve.short = failed;
+    curve
+}
+
+/// Times the first of many computations.
+pub struct Meter<'s> {
+    session: &'s Session<'s>,
+    what: &'static str,
+    parts: Parts,
+    told: OnceLock<()>,
+}
+
+impl Meter<'_> {
+    /// Computes one of them.
+    pub fn over<T>(&self, one: impl FnOnce() -> T) -> T {
+        if self.told.get().is_some() {
+            return one();
+        }
+        let (found, first_s) = timed(one);
+        if self.told.set(()).is_ok() {
+            self.session.watcher.see(Progress::Cost(Cost { what: self.what, parts: self.parts, first_s }));
+        }
+        found
+    }
+}
+
+/// The numbers of a pull with any values of the uncertain keys of a scene.
+#[derive(Clone, Copy)]
+pub struct SampledPull<'s> {
+    pub scene: &'s Scene,
+    pub table: &'s UncertaintyTable,
+    pub pulls: &'s Pulls,
+    pub meter: &'s Meter<'s>,
+    /// The stop criteria of one pull, anew for each
+    pub stop: &'s (dyn Fn() -> StopCriteria + Sync),
+}
+
+impl Sampled for SampledPull<'_> {
+    fn numbers(&self) -> usize {
+        self.table.quantities.len()
+    }
+
+    fn outcome(&self, inputs: &[f64]) -> Outcome {
+        let scene = self.table.scene(self.scene, inputs).map_err(|error| format!("{}. {}", error.found, error.remedy));
+        let pulled = |scene: &Scene| self.meter.over(|| self.pulls.pulled(scene, &(self.stop)()));
+        match scene.and_then(|scene| pulled(&scene)) {
+            Ok(found) => {
+                let value = |&of: &PeelQuantity| found.value(of).map(|(value, _)| value);
+                Outcome { values: self.table.quantities.iter().map(value).collect(), cut_short: found.curve.short }
+            }
+            Err(why) => Outcome::refused(self.numbers(), why),
+        }
+    }
+}
+
+/// A sample whose outcome at one place is known.
+pub struct WithKnown<'s> {
+    pub sampled: &'s dyn Sampled,
+    pub at: Vec<f64>,
+    pub known: Outcome,
+}
+
+impl Sampled for WithKnown<'_> {
+    fn numbers(&self) -> usize {
+        self.sampled.numbers()
+    }
+
+    fn outcome(&self, inputs: &[f64]) -> Outcome {
+        if inputs == self.at { self.known.clone() } else { self.sampled.outcome(inputs) }
+    }
+}
