@@ -14,7 +14,7 @@ from .observed import Test
 from .found import Found
 from .path import Path, PathPoint
 from .peel import Peel
-from .points import LimitPoint, Peak, Plateau
+from .points import LimitPoint, Peak, Plateau, Station
 from .pulls import PullAtRate, PullOff
 from .scene import Scene
 from .sensitivity import Sensitivity
@@ -45,6 +45,7 @@ __all__ = [
     "SceneError",
     "Sensitivity",
     "State",
+    "Station",
     "Test",
     "TipLaw",
     "Uncertainty",
