@@ -147,10 +147,10 @@ impl SceneRows {
     pub fn row(&self, scene: &Scene, session: &Session) -> io::Result<String> {
         if scene.time.is_some() {
             let (found, solve_s) = timed(|| pull(scene, &self.setae, session));
-            (&PullRow { value: 0.0, second: None, found, solve_s }).to_json()
+            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
         } else if scene.seta.is_some() {
             let (found, solve_s) = timed(|| self.setae.pull_off(scene, &session.stop_of_one(scene)));
-            (&PullRow { value: 0.0, second: None, found, solve_s }).to_json()
+            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
         } else {
             let (found, solve_s) = timed(|| peel(scene, session));
             SweepLine::new(0.0, None, &found, solve_s).to_json()
