@@ -12,6 +12,7 @@ from .curve import Columns, Curve, PullOffCurve, RateCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
 from .found import Found
+from .out_of_plane import OutOfPlane
 from .path import Path, PathPoint
 from .peel import Peel
 from .points import LimitPoint, Peak, Plateau, Station
@@ -31,6 +32,7 @@ __all__ = [
     "Found",
     "LimitPoint",
     "Optimum",
+    "OutOfPlane",
     "Path",
     "PathPoint",
     "Peak",

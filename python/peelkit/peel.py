@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from . import _native, curve
 from .curve import Curve
 from .errors import ComputationError, PeelkitError
+from .notebook import numbers_of, table
 from .points import LimitPoint, Peak, Plateau, Station
 from .sensitivity import Sensitivity, of_peel
 from .state import State
@@ -223,6 +224,10 @@ class Peel:
     def _repr_svg_(self) -> str | None:
         """The picture of a notebook: the curve with its limit points, as ``peel run`` draws it."""
         return self._native.svg() if len(self.curve.displacement) > 1 else None
+
+    def _repr_html_(self) -> str:
+        """The same with the numbers of `summary()`, but for its lists."""
+        return (self._repr_svg_() or "") + table(self._scene.title, numbers_of(self.summary()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """The scene and every bit of the result."""

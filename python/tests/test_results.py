@@ -4,6 +4,8 @@ Reference: `summary()`, which is that of the command. Expected: attributes are i
 null; arrays own no copy of their memory; pictures stand on axes that are given.
 """
 
+from xml.etree import ElementTree
+
 import matplotlib
 import numpy as np
 import pytest
@@ -125,3 +127,37 @@ def test_a_curve_as_an_array_has_its_numbers(strip: peelkit.Scene) -> None:
     assert np.asarray(curve, dtype=np.float32).dtype == np.float32
     with pytest.raises(ValueError, match="copy"):
         curve.__array__(copy=False)
+
+
+def cells(html: str) -> list[list[str]]:
+    """The cells of a table of HTML, row by row."""
+    table = ElementTree.fromstring(html[html.index("<table>") :])
+    return [["".join(cell.itertext()) for cell in row] for row in table.iter("tr")]
+
+
+def test_a_notebook_shows_tables(peel: peelkit.Peel, strip: peelkit.Scene) -> None:
+    shown = dict(cells(strip._repr_html_()))
+    assert shown["strip.length"] == "100 nm" and shown["title"] == "Strip"
+    assert "&lt;b&gt;" in strip.with_("title", "<b>")._repr_html_()
+    peak = peel.peak
+    assert peak is not None
+    assert dict(cells(peel._repr_html_()))["peak.force_nN"] == f"{peak.force:.6g}"
+    assert peel._repr_html_().startswith("<svg")
+    head, first, *rest = cells(peel.curve._repr_html_())
+    assert head[:3] == ["", "displacement (nm)", "force (nN)"] and len(head) == len(first) == 1 + len(peel.curve)
+    assert first[0] == "0" and len(rest) == 9 and rest[-1][0] == str(len(peel.curve.force) - 1)
+    test = strip.test()
+    assert dict(cells(test._repr_html_()))["end"] == test.end
+    seta = peelkit.Scene(
+        seta={"forks": 1}, spatula={}, adhesion={"hamaker_constant": "1e-19 J", "equilibrium_distance": "0.4 nm"}
+    ).pull_off()
+    assert dict(cells(seta._repr_html_()))["tips"] == "2"
+
+
+def test_a_curve_is_a_dataset_with_units(peel: peelkit.Peel) -> None:
+    pytest.importorskip("xarray")
+    curve = peel.curve
+    dataset = curve.to_xarray()
+    assert list(dataset.data_vars) == list(curve) and dataset.force.dims == ("point",)
+    assert dataset.force.attrs == {"units": "nN"} and dataset.newton_iterations.attrs == {"units": "1"}
+    assert (dataset.force.values == curve["force"]).all()
