@@ -1,24 +1,20 @@
 //! What the page gets of a run.
 
 use crate::controls::{Control, controls};
-use crate::poses::Poses;
+use crate::curve::Curve;
+use crate::poses::{Poses, shown_states};
 use crate::refusal::Refusal;
 use crate::request::{Part, PeelRequest};
 use crate::runs::RunEnd;
-use peelkit::study::{self, Peel};
-use peelkit_report::{Finite, PeelSummary, timed};
+use peelkit_analyses::{Analysis, Asked, Outcome, Run, RunOutcome, Session};
 use peelkit_scene::Scene;
 use serde::Serialize;
 
-/// About how many points a curve is drawn with.
-const DENSE: usize = 600;
-/// Most pieces of a step of the path that are drawn.
-const MOST_PIECES: usize = 8;
-
-/// A run as the page gets it.
+/// What stands beside the summary of a run.
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
-    summary: PeelSummary<'a>,
+struct Beside {
+    /// What was computed: `peel`, `seta` or `rate`
+    kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     curve: Option<Curve>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -32,53 +28,43 @@ struct Answer<'a> {
     no_test: Option<String>,
 }
 
-/// The curve, its limit points among its points.
-#[derive(Debug, Serialize)]
-struct Curve {
-    #[serde(rename = "displacement_nm")]
-    displacement: Vec<Finite>,
-    #[serde(rename = "force_nN")]
-    force: Vec<Finite>,
-    /// Under displacement control
-    unstable: Vec<bool>,
-}
-
-impl Curve {
-    fn of(peel: &Peel) -> Self {
-        let points = peel.dense_curve((DENSE / peel.points.len().max(1)).clamp(1, MOST_PIECES));
-        Self {
-            displacement: points.iter().map(|point| Finite(point.0)).collect(),
-            force: points.iter().map(|point| Finite(point.1)).collect(),
-            unstable: points.iter().map(|point| point.2 > 0).collect(),
-        }
+fn kind(outcome: &RunOutcome) -> &'static str {
+    match outcome {
+        RunOutcome::Peel(_) => "peel",
+        RunOutcome::Seta(_) => "seta",
+        RunOutcome::Rate(_) => "rate",
     }
 }
 
-/// The peel of a scene, which ends with its run.
-pub(crate) fn peel(scene: &Scene, end: &RunEnd) -> Peel {
-    study::peel(&scene.model, &scene.accuracy, &end.ends(scene.bounds.from_now()))
+/// The run of a scene as the command does it, which ends with its end.
+pub(crate) fn run(scene: &Scene, observed: bool, end: &RunEnd) -> Result<RunOutcome, Refusal> {
+    let asked = Asked { observed, states: shown_states(scene), ..Asked::default() };
+    let session = Session { watcher: end, journal: None, abrupt: true };
+    Ok(Run::of(scene, asked)?.run(&session)?)
 }
 
 /// Reads the scene, runs it, and writes what is wanted as JSON.
 pub(crate) fn answer(request: &PeelRequest, end: &RunEnd) -> Result<Vec<u8>, Refusal> {
     let scene = request.scene.read()?;
     let wants = |part: Part| request.parts.contains(&part);
-    let (peel, seconds) = timed(|| peel(&scene, end));
-    let test = (wants(Part::Test) && !end.is_left())
-        .then(|| timed(|| study::observed(&scene.model, &scene.accuracy, &end.ends(scene.bounds.from_now()))));
-    let summary = PeelSummary::new(&scene, &peel, seconds);
-    let (summary, no_test) = match &test {
-        Some((Ok(test), seconds)) => (summary.with_observed(test, *seconds), None),
-        Some((Err(none), _)) => (summary, Some(none.to_string())),
-        None => (summary, None),
+    let has_test = scene.seta.is_none() && scene.time.is_none();
+    let tested = (wants(Part::Test) && has_test).then(|| run(&scene, true, end));
+    let (outcome, no_test) = match tested {
+        Some(Ok(outcome)) => (outcome, None),
+        Some(Err(why)) => (run(&scene, false, end)?, Some(why.to_string())),
+        None => (run(&scene, false, end)?, None),
     };
-    let answer = Answer {
-        summary,
-        curve: wants(Part::Curve).then(|| Curve::of(&peel)),
-        poses: wants(Part::Poses).then(|| Poses::of(&peel)),
+    let beside = Beside {
+        kind: kind(&outcome),
+        curve: wants(Part::Curve).then(|| Curve::of(&outcome)),
+        poses: wants(Part::Poses).then(|| Poses::of(&outcome)),
         controls: wants(Part::Controls).then(|| controls(&scene)),
         toml: wants(Part::Toml).then(|| scene.to_toml()),
         no_test,
     };
-    serde_json::to_vec(&answer).map_err(|error| Refusal::Broken(error.to_string()))
+    let summary = outcome.json(&scene, None)?;
+    let beside = serde_json::to_string(&beside).map_err(|error| Refusal::Broken(error.to_string()))?;
+    // the summary stands in the answer as the command writes it, digit by digit
+    let beside = beside.strip_prefix('{').unwrap_or_default();
+    Ok(format!("{{\"summary\":{summary},{beside}").into_bytes())
 }

@@ -1,10 +1,12 @@
 //! The files of a run, to keep.
 
-use crate::answer::peel;
+use crate::answer::run;
 use crate::refusal::Refusal;
 use crate::request::{File, FileRequest};
 use crate::runs::RunEnd;
-use peelkit_report::{PeelSummary, curve_csv, curve_svg, timed};
+use peelkit_analyses::{Outcome, RunOutcome};
+use peelkit_report::{curve_csv, curve_svg};
+use peelkit_scene::Scene;
 
 /// A file as it is sent.
 #[derive(Debug)]
@@ -19,13 +21,33 @@ pub(crate) fn file(request: &FileRequest, end: &RunEnd) -> Result<Sent, Refusal>
     if let File::Scene = request.file {
         return Ok(Sent { media: "application/toml", content: scene.to_toml().into_bytes() });
     }
-    let (peel, seconds) = timed(|| peel(&scene, end));
+    let outcome = run(&scene, false, end)?;
     Ok(match request.file {
-        File::Curve => Sent { media: "text/csv; charset=utf-8", content: curve_csv(&peel)? },
-        File::Picture => Sent { media: "image/svg+xml", content: curve_svg(&peel, &scene.title)?.into_bytes() },
+        File::Curve => Sent { media: "text/csv; charset=utf-8", content: table(&outcome, &scene)? },
+        File::Picture => Sent { media: "image/svg+xml", content: picture(&outcome, &scene)? },
         File::Summary | File::Scene => {
-            let summary = PeelSummary::new(&scene, &peel, seconds);
-            Sent { media: "application/json", content: summary.to_json()?.into_bytes() }
+            Sent { media: "application/json", content: outcome.json(&scene, None)?.into_bytes() }
         }
     })
+}
+
+fn table(outcome: &RunOutcome, scene: &Scene) -> Result<Vec<u8>, Refusal> {
+    match outcome {
+        RunOutcome::Peel(found) => Ok(curve_csv(&found.peel)?),
+        _ => written(outcome, scene, "curve.csv"),
+    }
+}
+
+fn picture(outcome: &RunOutcome, scene: &Scene) -> Result<Vec<u8>, Refusal> {
+    match outcome {
+        RunOutcome::Peel(found) => Ok(curve_svg(&found.peel, &scene.title)?.into_bytes()),
+        _ => written(outcome, scene, "curve.svg"),
+    }
+}
+
+/// One of the files that the command writes of it.
+fn written(outcome: &RunOutcome, scene: &Scene, name: &str) -> Result<Vec<u8>, Refusal> {
+    let folder = tempfile::tempdir()?;
+    outcome.write(scene, folder.path(), "peel serve")?;
+    Ok(std::fs::read(folder.path().join(name))?)
 }
