@@ -72,7 +72,7 @@ export class Sweep {
     const before = key.value;
     key.replaceChildren(...this.controls.map(({ key, about }) => new Option(`${about} (${key})`, key)));
     const has = (wanted) => this.controls.some(({ key }) => key === wanted);
-    const usual = this.controls.find(({ key, value }) => key.endsWith('.bending_stiffness_factor') && value !== null);
+    const usual = this.controls.findLast(({ key, value }) => key.endsWith('.bending_stiffness_factor') && value !== null);
     const chosen = has(before) ? before : (usual ?? this.controls[0])?.key ?? '';
     if (chosen !== before) this.edited = false;
     key.value = chosen;
@@ -124,7 +124,10 @@ export class Sweep {
     const own = highest(summary);
     if (own && now !== null) this.series.here.data = [{ x: now, y: own.force_nN }];
     const { scales } = this.chart.options;
-    const decade = (value) => (Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6) ? shown(value, 2) : '');
+    const decade = (value) => {
+      if (!Number.isInteger(Math.round(1e6 * Math.log10(value)) / 1e6)) return '';
+      return value >= 1e-3 && value <= 1e4 ? written(value) : value.toExponential(0);
+    };
     scales.x = { type: logarithmic ? 'logarithmic' : 'linear', min: values[0], max: values.at(-1), title: { display: true, text: unit ? `${about} (${unit})` : about }, ticks: { callback: logarithmic && values.at(-1) / values[0] > 50 ? decade : (value) => shown(value, 4) } };
     nameAxis(scales.y, 'force P', unitOf('nN', own?.force_nN ?? 0));
     const place = (value) => (logarithmic ? Math.log(value) : value);

@@ -22,8 +22,12 @@ const STATES: usize = 40;
 /// How many states of the seta of a scene are shown; none of a beam.
 pub(crate) fn shown_states(scene: &Scene) -> Option<u32> {
     let seta = scene.seta.as_ref().filter(|_| scene.time.is_none())?;
-    let branches = 2usize.saturating_pow(seta.seta.forks as u32 + 1);
-    Some((BRANCHES / branches).clamp(2, STATES) as u32)
+    Some(states_of(seta.seta.forks) as u32)
+}
+
+/// How many states of a seta with so many forks are shown.
+fn states_of(forks: usize) -> usize {
+    (BRANCHES >> (forks + 1)).clamp(2, STATES)
 }
 
 /// The beam along the path.
@@ -102,7 +106,7 @@ impl Poses {
     fn of_seta(found: &SetaOutcome) -> Self {
         let seta = &found.model.seta;
         let last = pulled(found.pull_off()).next().map(|point| point.step);
-        let states = found.states(STATES).into_iter().filter(|state| Some(state.point.step) == last);
+        let states = found.states(states_of(seta.forks)).into_iter().filter(|state| Some(state.point.step) == last);
         let states: Vec<_> = states.map(|state| (state.point, state.branches(seta))).collect();
         let [low, high] = corners(states.iter().flat_map(|(_, branches)| branches).flat_map(side));
         let extent = extent(low, high);
