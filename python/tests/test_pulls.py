@@ -98,7 +98,7 @@ def test_what_is_of_a_beam_alone_is_refused_of_a_seta_and_of_a_rate(
 ) -> None:
     monkeypatch.chdir(root)
     for scene, table in [(small_seta(root), "seta"), (peelkit.Scene.read("scenes/strip-at-a-rate.toml"), "time")]:
-        for of_a_beam in (scene.test, scene.path, scene.sensitivities, scene.coarsen, lambda: peelkit.optimise(scene)):
+        for of_a_beam in (scene.test, scene.path, scene.sensitivities, scene.coarsen):
             with pytest.raises(peelkit.SceneError, match=rf"\[{table}\]"):
                 of_a_beam()
         with pytest.raises(peelkit.SceneError, match="a seta or a rate"):

@@ -66,7 +66,7 @@ def test_a_scene_of_tables_is_that_of_its_text(strip: peelkit.Scene) -> None:
 
 def test_lists_and_nested_tables_are_written(strip: peelkit.Scene) -> None:
     fit = strip.with_("fit.parameters", ["strip.youngs_modulus from 1 GPa to 5 GPa"])
-    assert "from 1 GPa to 5 GPa" in fit.to_toml()
+    assert '{ from = "1 GPa", key = "strip.youngs_modulus", to = "5 GPa" }' in fit.to_toml()
     height = {"key": "strip.height", "from": 5.0 * units.nm, "to": "12 nm"}
     free = strip.with_(
         {"optimise.objective": "peak.force_nN", "optimise.parameters": [height], "optimise.starts": np.int64(3)}
