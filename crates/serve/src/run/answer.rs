@@ -1,11 +1,11 @@
 //! What the page gets of a run.
 
-use crate::controls::{Control, controls};
-use crate::curve::Curve;
-use crate::poses::{Poses, shown_states};
-use crate::refusal::Refusal;
-use crate::request::{Part, PeelRequest};
-use crate::runs::RunEnd;
+use crate::http::refusal::Refusal;
+use crate::http::request::{Part, PeelRequest};
+use crate::run::controls::{Control, controls};
+use crate::run::curve::Curve;
+use crate::run::poses::{Poses, shown_states};
+use crate::run::runs::RunEnd;
 use peelkit_analyses::{Analysis, Asked, Outcome, Run, RunOutcome, Session};
 use peelkit_scene::Scene;
 use serde::Serialize;

@@ -1,10 +1,10 @@
 //! The server: an address, its connections, its end.
 
-use crate::connections::{BeingAnswered, Busy, Connections};
-use crate::limits::Limits;
+use crate::http::connections::{BeingAnswered, Busy, Connections};
+use crate::http::limits::Limits;
+use crate::http::routes::router;
 use crate::page::{StartScene, start_scenes};
-use crate::routes::router;
-use crate::runs::Runs;
+use crate::run::runs::Runs;
 use axum::Router;
 use axum::body::Body;
 use axum::http::Request;

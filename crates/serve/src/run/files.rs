@@ -1,9 +1,9 @@
 //! The files of a run, to keep.
 
-use crate::answer::run;
-use crate::refusal::Refusal;
-use crate::request::{File, FileRequest};
-use crate::runs::RunEnd;
+use crate::http::refusal::Refusal;
+use crate::http::request::{File, FileRequest};
+use crate::run::answer::run;
+use crate::run::runs::RunEnd;
 use peelkit_analyses::{Outcome, RunOutcome};
 use peelkit_report::{curve_csv, curve_svg};
 use peelkit_scene::Scene;

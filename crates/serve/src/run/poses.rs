@@ -1,6 +1,6 @@
 //! The beam along the path, or a seta along its pull-off, as whole numbers, and the ground below it.
 
-use crate::curve::pulled;
+use crate::run::curve::pulled;
 use peelkit::study::{Peel, SetaBranch};
 use peelkit_analyses::{RunOutcome, SetaOutcome};
 use peelkit_report::{Pose, PulledAtRate};
