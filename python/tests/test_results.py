@@ -50,6 +50,26 @@ def test_columns_are_arrays(peel: peelkit.Peel) -> None:
     assert list(curve.to_pandas())[:2] == ["displacement_nm", "force_nN"]
 
 
+def test_stations_have_exactly_what_was_asked(peel: peelkit.Peel) -> None:
+    """Of `verification/stations.csv`, a collocation without finite elements: the strip of 100 nm at u = 30 nm."""
+    before, behind = peel.at(displacement=30.0)[:2]
+    for found, force in [(before, 0.0504094198094), (behind, 0.0124050647891)]:
+        assert found.displacement == pytest.approx(30.0, abs=1e-9)
+        assert found.error is not None and abs(found.force - force) <= found.error
+    assert (before.stable, behind.stable) == (True, False)
+    assert peel.at(force="0.04 nN")[1].displacement == pytest.approx(47.6567102566, rel=1e-7)
+    assert peel.at(end_rotation="30 deg")[0].displacement == pytest.approx(19.5215706734, rel=1e-6)
+    assert peel.at(front=1e6) == []
+    asked = peel.scene.with_("output.stations", {"displacement": ["30 nm"]}).run().summary()["stations"]
+    assert [at["force_nN"] for at in asked[0]["found"]] == [at.force for at in peel.at(displacement=30.0)]
+    with pytest.raises(peelkit.PeelkitError, match="which is none of"):
+        peel.at(place=3.0)
+    with pytest.raises(peelkit.PeelkitError, match="not a force"):
+        peel.at(force="3 nm")
+    with pytest.raises(peelkit.PeelkitError, match="2 values"):
+        peel.at(force=1.0, front=3.0)
+
+
 def test_states_are_in_equilibrium(peel: peelkit.Peel) -> None:
     """The adhesion of a free strip carries the force of the grip: the integral of the line force is P."""
     states = peel.states(4)

@@ -163,7 +163,7 @@ impl Record for Stations {
         of.field("found", "the equilibria, in path order; empty where the path does not pass the value", |stations| stations.found.as_slice());
         of.field("least", "the least value on the path", |stations| finite(stations.range[0]));
         of.field("largest", "the largest value on the path", |stations| finite(stations.range[1]));
-        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", |stations| missed(stations));
+        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", missed);
     }
 }
 
