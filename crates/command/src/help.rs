@@ -65,13 +65,11 @@ pub fn run() -> String {
     format!(
         "\
 Examples:
-  peel run strip.toml
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
   peel run strip.toml --set grip.rotation=fixed --json
-  peel run strip.toml --animate
-  peel run strip.toml --out-of-plane
+  peel run strip.toml --at u=\"10 nm\" --at P=\"0.04 nN\"
+  peel run strip.toml --animate --sensitivities
   peel run strip.toml --branch
-  peel run strip.toml --sensitivities
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:

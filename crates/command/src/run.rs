@@ -43,9 +43,9 @@ pub struct Run {
     #[arg(long)]
     out_of_plane: bool,
 
-    /// Follows the branch that leaves the plane in space; implies --out-of-plane
+    /// Follows the branch that leaves the plane in space
     ///
-    /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
+    /// Implies --out-of-plane. To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
     #[arg(long)]
     branch: bool,
 
