@@ -27,7 +27,6 @@ pub struct Run {
     /// Computes the path at an exact value besides, u="10 nm" say
     ///
     /// Of `u` (displacement), `P` (force), `front` or `end_rotation`. May be given several times. Adds stations.csv.
-    /// summary.json with error bounds.
     #[arg(long, value_name = "QUANTITY=VALUE")]
     at: Vec<String>,
 
