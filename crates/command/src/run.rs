@@ -26,7 +26,7 @@ pub struct Run {
 
     /// Computes the path at an exact value besides, u="10 nm" say
     ///
-    /// Of `u` (displacement), `P` (force), `front` or `end_rotation`. May be given several times. Adds stations.csv.
+    /// Of `u` (displacement), `P` (force), `front` or `end_rotation`; may be repeated. Adds stations.csv.
     #[arg(long, value_name = "QUANTITY=VALUE")]
     at: Vec<String>,
 
@@ -44,7 +44,7 @@ pub struct Run {
 
     /// Follows the branch that leaves the plane in space
     ///
-    /// Implies --out-of-plane. To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
+    /// Implies --out-of-plane. To one side: the other is its mirror image. Adds branch.csv.
     #[arg(long)]
     branch: bool,
 
