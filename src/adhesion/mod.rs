@@ -26,6 +26,7 @@ pub use section::law::{Attraction, Law};
 pub use section::line_load::{LineLaw, LineLoad};
 pub use section::own::{OwnLaw, SectionLaw, TiltedSection};
 pub use section::response::LineResponse;
+pub use section::sheared::{ShearedLaw, ShearedResponse};
 pub use spatial_section::error::SpatialSectionError;
 pub use spatial_section::response::SpatialSectionResponse;
 pub use spatial_section::section::{SectionShape, SpatialSection};

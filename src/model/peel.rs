@@ -7,8 +7,9 @@ use super::ground::{Friction, Ground};
 use super::step::{Moved, Step};
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::levels::half_space::HalfSpace;
-use crate::adhesion::section::law::Attraction;
+use crate::adhesion::section::law::{Attraction, Law};
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::section::sheared::ShearedLaw;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::bonded_beam::BondedBeam;
 use crate::beam::section::{Material, Section};
@@ -31,6 +32,9 @@ pub struct Adhesion {
     pub work: Option<f64>,
     /// Strength of a cohesive law, GPa; none: that of the half space
     pub strength: Option<f64>,
+    /// Shear strength of a cohesive law, GPa; none: it holds nothing along the ground
+    #[serde(default)]
+    pub shear_strength: Option<f64>,
     /// Whether the contact moment acts beside the line force
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms).
@@ -53,6 +57,7 @@ impl Adhesion {
             attraction: Attraction::BodyForce,
             work: None,
             strength: None,
+            shear_strength: None,
             line_load: LineLoad::Full,
             far_face: true,
         }
@@ -63,6 +68,15 @@ impl Adhesion {
         let half_space = self.half_space();
         let law = self.attraction.law(&half_space, self.work, self.strength);
         LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
+    }
+
+    /// The law with what holds along the ground, if it has a shear strength.
+    pub fn sheared_law(&self) -> Option<ShearedLaw> {
+        let law = self.attraction.law(&self.half_space(), self.work, self.strength);
+        match (law, self.shear_strength) {
+            (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength)),
+            _ => None,
+        }
     }
 
     /// Whether the Hamaker constant changes nothing: under a cohesive law with a work of adhesion and a strength of its own.
@@ -217,11 +231,13 @@ impl PeelModel {
             || self.grip.horizontal == Hold::Fixed
             || self.pull.direction() != Direction::UP
             || !self.ground.substrate.is_flat()
+            || self.adhesion.shear_strength.is_some()
     }
 
-    /// The form in which it can be solved where another is asked for: on ground that is not flat, with friction and in space with x.
+    /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely, and in space
+    /// with x.
     pub fn form(&self, asked: Form) -> Form {
-        let reducible = self.ground.substrate.is_flat() && self.friction_law().is_none() && self.space.is_none();
+        let reducible = self.ground.substrate.is_flat() && self.tangential_stiffness().is_none() && self.space.is_none();
         if reducible { asked } else { Form::ThreeField }
     }
 
@@ -230,9 +246,16 @@ impl PeelModel {
         self.friction.law(self.adhesion.half_space())
     }
 
+    /// k, the stiffness along the ground of what lies on it, by friction or by the shear strength of a cohesive law, nN/nm³; none where it slides
+    /// freely.
+    pub fn tangential_stiffness(&self) -> Option<f64> {
+        let sheared = || self.adhesion.sheared_law().map(|law| law.stiffness());
+        self.friction_law().map(|law| law.stiffness()).or_else(sheared)
+    }
+
     /// Length over which a strip that sticks takes over a force along it, (EA/bk)^(1/2), of the free end, nm.
     pub fn sticking_length(&self) -> Option<f64> {
-        self.friction_law().map(|law| (self.section().axial / (self.free_end().0 * law.stiffness())).sqrt())
+        self.tangential_stiffness().map(|k| (self.section().axial / (self.free_end().0 * k)).sqrt())
     }
 
     /// The least length over which what happens at the front changes, nm.

@@ -177,6 +177,7 @@ pub static KEYS: &[Key] = &[
     key(&ADHESION, "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key(&ADHESION, "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of adhesion of a cohesive law; else the half space's").titled("work of adhesion", "w"),
     key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest traction of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
+    key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction of a cohesive law; none: it slides freely").titled("shear strength of the adhesion", "τ"),
     key(&ADHESION, "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
     key(&ADHESION, "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),
 

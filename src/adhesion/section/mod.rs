@@ -11,5 +11,6 @@ pub(crate) mod law;
 pub(crate) mod line_load;
 pub(super) mod own;
 pub(crate) mod response;
+pub(crate) mod sheared;
 mod surface_traction;
 mod written;

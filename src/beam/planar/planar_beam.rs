@@ -68,6 +68,8 @@ pub struct PlanarBeam {
     pub history: Option<Arc<History>>,
     /// Whether the load has a potential.
     pub conservative: bool,
+    /// Whether the adhesion holds it along the ground. The load then depends on x - S, and the first integral is that of this displacement.
+    pub sheared: bool,
     /// Where its model ends.
     pub limits: ModelLimits,
     /// Its mass and how its material flows, where it moves in time.

@@ -56,7 +56,7 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
     }
     check_moved(model)?;
     let along = model.pull.direction().up.abs() < ALONG;
-    if along && model.strip().is_some() && model.friction_law().is_none() {
+    if along && model.strip().is_some() && model.tangential_stiffness().is_none() {
         let degrees = model.pull.angle.to_degrees();
         return Err(ModelError::new("drive.angle", ModelErrorKind::AlongStrip { degrees }));
     }

@@ -61,6 +61,9 @@ pub enum ModelErrorKind {
     /// Work of adhesion or strength beside a law that has its own.
     #[error("belongs to a cohesive law, and the law of this scene is not cohesive")]
     NotOfCohesiveLaw { found: Measured },
+    /// A shear strength beside something that is not computed with one.
+    #[error("is given beside {what}, which is not computed with a shear strength of the adhesion")]
+    ShearBeside { what: &'static str },
     /// A pretension of something that is not stretched.
     #[error(
         "stretches a strip on a flat substrate whose grip is constrained normal to the pull direction, and this scene has none"
@@ -178,6 +181,7 @@ impl ModelErrorKind {
             | Self::Substrate(_)
             | Self::NotInSpace { .. }
             | Self::CrackBeside { .. }
+            | Self::ShearBeside { .. }
             | Self::LawInSpace(_)
             | Self::StepOfFreeGrip { .. }
             | Self::StepOutOfPlane { .. }
@@ -243,7 +247,7 @@ impl ModelErrorKind {
             Self::LawInSpace(_) => "Use `law = \"body-force\"` or a cohesive law with `line_load = \"full\"`.",
             Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
             Self::CrackOfWholeLength { .. } => "Give a crack that is shorter than the strip: the rest adheres.",
-            Self::CrackBeside { .. } => "Remove one of the two.",
+            Self::CrackBeside { .. } | Self::ShearBeside { .. } => "Remove one of the two.",
             Self::RoundingBeyondPad { .. } => "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
             Self::RoundingWiderThanTip { .. } => {
                 "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`."

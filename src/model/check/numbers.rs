@@ -79,6 +79,7 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("adhesion.equilibrium_distance", "nm", Positive, |m| Some(m.adhesion.equilibrium_distance)),
     number("adhesion.work", "J/m2", Positive, |m| m.adhesion.work),
     number("adhesion.strength", "GPa", Positive, |m| m.adhesion.strength),
+    number("adhesion.shear_strength", "GPa", Positive, |m| m.adhesion.shear_strength),
 
     number("substrate.radius", "nm", Positive, |m| of_substrate(m, "radius")),
     number("substrate.height", "nm", Positive, |m| of_substrate(m, "height")),

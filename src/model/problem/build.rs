@@ -15,6 +15,7 @@ use crate::beam::planar::chain::{Chain, MOST_FIELDS};
 use crate::beam::planar::density::on_ground::BeamOnGround;
 use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
+use crate::beam::planar::density::sheared::ShearedBeam;
 use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::planar::uniform_chain::elements::UniformChain;
@@ -138,7 +139,11 @@ impl PeelModel {
         };
         let mut beam = PlanarBeam {
             history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
-            chain: chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
+            chain: match self.adhesion.sheared_law() {
+                // what adheres holds the free end
+                Some(sheared) => three_field(ShearedBeam { profile, law, sheared }, how.order, [None; 3]),
+                None => chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
+            },
             length,
             rest: placement.rest,
             rest_gap: law.rest_gap(),
@@ -161,6 +166,7 @@ impl PeelModel {
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
             barrier: law.barrier(),
+            sheared: self.adhesion.shear_strength.is_some(),
             conservative: law.has_potential() && friction.is_none(),
             limits: self.limits(),
             inertia: None,
@@ -201,7 +207,7 @@ impl PeelModel {
 
     /// Where its model ends on the way.
     fn limits(&self) -> ModelLimits {
-        let one_force = self.has_horizontal_force() && self.ground.substrate.is_flat() && self.friction_law().is_none();
+        let one_force = self.has_horizontal_force() && self.ground.substrate.is_flat() && self.tangential_stiffness().is_none();
         let bonded = (one_force && self.is_uniform()).then(|| self.bonded_beam(0.0));
         let model = self.clone();
         let section = move |place| {

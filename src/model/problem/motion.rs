@@ -97,6 +97,7 @@ impl PeelModel {
             (self.space.is_some(), "a body in space"),
             (!self.ground.substrate.is_flat(), "ground that is not flat"),
             (self.friction_law().is_some(), "friction"),
+            (self.adhesion.shear_strength.is_some(), "a shear strength of the adhesion"),
             (!self.steps.is_empty(), "a step before the pull"),
             (self.pull.turn != 0.0, "a grip that turns as it goes"),
             (self.grip.pretension.is_some(), "a pretension"),

@@ -137,6 +137,7 @@ impl RodModel {
             barrier: Barrier::Pole,
             substrate: Substrate::Flat,
             history: None,
+            sheared: false,
             conservative: true,
             limits: ModelLimits::default(),
             inertia: None,

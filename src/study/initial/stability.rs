@@ -58,7 +58,7 @@ pub(super) fn check_bonded(model: &PeelModel) -> Result<(), UnstableRest> {
         None => over_the_pad(model),
     };
     // what friction holds by its lower face bends over twice its height
-    let sticks = model.friction_law().is_some() && model.grip.rotation == Hold::Fixed;
+    let sticks = model.tangential_stiffness().is_some() && model.grip.rotation == Hold::Fixed;
     let ratio = softening / resistance;
     if sticks || softening <= resistance {
         return Ok(());

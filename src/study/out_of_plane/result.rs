@@ -84,6 +84,8 @@ pub enum NotOutOfPlane {
     Ground,
     #[error("there is friction, which has no potential: stability is not that of an energy")]
     Friction,
+    #[error("adhesion.shear_strength holds the strip along the substrate, and what it does out of the plane is not computed")]
+    Shear,
     #[error(
         "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability \
          is not that of an energy"
@@ -102,6 +104,7 @@ impl NotOutOfPlane {
             (!model.steps.is_empty(), Self::Steps),
             (!model.ground.substrate.is_flat(), Self::Ground),
             (model.friction_law().is_some(), Self::Friction),
+            (model.adhesion.shear_strength.is_some(), Self::Shear),
             (!model.line_law().has_potential(), Self::NoPotential),
         ];
         reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
@@ -115,6 +118,7 @@ impl NotOutOfPlane {
             Self::Steps => "remove drive.steps",
             Self::Ground => "remove the table [substrate]",
             Self::Friction => "remove the table [friction]",
+            Self::Shear => "remove adhesion.shear_strength",
             Self::NoPotential => "use another line_load or law",
         };
         format!("Omit --out-of-plane, or {change}.")

@@ -124,10 +124,18 @@ impl<'p> PlanarReader<'p> {
         let (sin, cos) = rotation.sin_cos();
         let closest = beam.substrate.project(x, y);
         let tilt = rotation - closest.sin.atan2(closest.cos);
-        let law = self.model.adhesion.line_law(height);
-        let ground = GroundLaw { law, substrate: beam.substrate.clone() };
-        let response = ground.response(height, [x, level], [sin, cos]);
-        let [along, across, moment] = response.gradient.map(|load| width * load);
+        let (energy, gradient) = match self.model.adhesion.sheared_law() {
+            Some(law) => {
+                let response = law.response(height, [x - place, level], [sin, cos]);
+                (response.energy, response.gradient)
+            }
+            None => {
+                let ground = GroundLaw { law: self.model.adhesion.line_law(height), substrate: beam.substrate.clone() };
+                let response = ground.response(height, [x, level], [sin, cos]);
+                (response.energy, response.gradient)
+            }
+        };
+        let [along, across, moment] = gradient.map(|load| width * load);
         SectionFields {
             place,
             x,
@@ -142,7 +150,7 @@ impl<'p> PlanarReader<'p> {
             line_force_along: along,
             line_moment: moment,
             friction_traction: self.friction_at(at, place, [x, level], [sin, cos], height),
-            adhesion_energy: width * response.energy,
+            adhesion_energy: width * energy,
             stored_energy: self.stored(state, &section, [sin, cos]),
             width,
             height,

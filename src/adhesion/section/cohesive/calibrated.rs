@@ -124,6 +124,28 @@ impl Cohesive {
             bonded(Part::Pull).plus(pressed)
         })
     }
+
+    /// What attracts a section and what repels it, which together are the load of [`Self::on_face`].
+    pub(in crate::adhesion::section) fn pull_and_push<T: Real>(
+        &self,
+        height: T,
+        gap: T,
+        sin: T,
+        cos: T,
+    ) -> (LineResponse<T>, LineResponse<T>) {
+        let of = [height, gap, sin, cos];
+        let bonded = |part, [height, gap, sin, cos]: [f64; 4]| {
+            LineResponse::of_bonded_face(|r| self.levels_of(part, r), height, gap, sin, cos)
+        };
+        let pull = LineResponse::each_of(of, |of| bonded(Part::Pull, of));
+        let push = LineResponse::each_of(of, |of @ [height, gap, sin, cos]| {
+            if cos > 0.0 {
+                return bonded(Part::Push, of);
+            }
+            LineResponse::of_face(|r| self.levels_of(Part::Push, r), height, gap, sin, cos)
+        });
+        (pull, push)
+    }
 }
 
 #[cfg(test)]

@@ -2,4 +2,5 @@
 pub(crate) mod on_ground;
 pub(crate) mod reduced;
 pub(crate) mod reissner;
+pub(crate) mod sheared;
 pub(crate) mod viscous;

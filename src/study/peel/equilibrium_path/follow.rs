@@ -165,7 +165,10 @@ fn planar(beam: &PlanarBeam, at: &State) -> f64 {
         return 0.0;
     }
     let sections = at_ends(at).map(|elements| beam.chain.node_states(beam.configuration(at), elements));
-    range(sections.iter().flatten().map(NodeState::first_integral))
+    // H x' becomes H (x' - 1)
+    let displaced = |node: &NodeState| node.first_integral() - node.section.horizontal_force;
+    let nodes = sections.iter().flatten();
+    if beam.sheared { range(nodes.map(displaced)) } else { range(nodes.map(NodeState::first_integral)) }
 }
 
 /// Forces along the ground spread by round-off alone, up to 2e-9 of the adhesion in a strip that is 40 nm wide: what the first integral has of
