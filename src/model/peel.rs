@@ -253,9 +253,14 @@ impl PeelModel {
         self.friction_law().map(|law| law.stiffness()).or_else(sheared)
     }
 
-    /// Length over which a strip that sticks takes over a force along it, (EA/bk)^(1/2), of the free end, nm.
-    pub fn sticking_length(&self) -> Option<f64> {
+    /// Length over which a strip that does not slide freely takes over a force along it, (EA/bk)^(1/2), of the free end, nm.
+    pub fn shear_lag_length(&self) -> Option<f64> {
         self.tangential_stiffness().map(|k| (self.section().axial / (self.free_end().0 * k)).sqrt())
+    }
+
+    /// The same of a strip that friction holds, which may begin to slide anywhere.
+    pub fn sticking_length(&self) -> Option<f64> {
+        self.shear_lag_length().filter(|_| self.friction.strength.is_some())
     }
 
     /// The least length over which what happens at the front changes, nm.

@@ -9,6 +9,7 @@ Units: nm, nN, aJ; 1 GPa = 1 nN/nm^2, 1e-19 J = 0.1 nN nm. In the order in which
     system      a solution on a mesh of sub-intervals; one linearisation of the boundary value problem
     mesh, solver, path    meshes, Newton corrections, the path of equilibria from rest
     turns       where the path turns: peak (dP = 0), lp1 and lp2 (du = 0)
+    sheared     cohesive laws that hold along the substrate
     slip        paths with friction: what points remember
     curve       solutions between the points of a path
     energy      energy and first integral of a solution, work of the grip, plateau of a path

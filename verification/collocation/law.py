@@ -18,7 +18,7 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import brentq
 
-from . import laws
+from . import laws, sheared
 from .friction import Friction
 
 
@@ -40,8 +40,19 @@ class Beam:
     hamaker: float = 1e-19               # J
     r0: float = 0.4                      # nm
     friction: Friction | None = None
+    shear_strength: float | None = None  # GPa, of a cohesive law; None: it slides
 
     slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s
+
+    @property
+    def sticks(self):
+        """Whether H changes along S."""
+        return self.friction is not None or self.shear_strength is not None
+
+    @property
+    def slip_stiffness(self):
+        """Along the substrate at rest, of what sticks, nN/nm^3."""
+        return sheared.stiffness(self) if self.friction is None else self.friction.tau0 / self.friction.delta(self)
 
     @property
     def K(self):
@@ -212,6 +223,8 @@ def loads(c, g, th):
 def field(c, z, H, jac=True):
     """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w (, H)); c: the section there (Strip.at)."""
     d = z.shape[-1]
+    if d == 6 and c.friction is None:
+        return sheared.field(c, z, field(c, z[..., :5], z[..., 5], jac), jac)
     if d == 6:
         return rubbing(c, z, jac)
     g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]

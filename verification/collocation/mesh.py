@@ -63,7 +63,7 @@ def mesh(s, st, N, n_eff=12.0, quiet=1e-5):
         act = np.maximum(act, v / max(v.max(), 1e-300))
     gate = act * act / (act * act + quiet * quiet)        # what is quieter is noise of the discretisation
     if s.d == 6:
-        lam1 = lam1 + np.sqrt(c.friction.tau0 / c.friction.delta(c) * c.width / c.EA)
+        lam1 = lam1 + np.sqrt(c.slip_stiffness * c.width / c.EA)
     rho = ((lam1 + lam2) * act ** (1.0 / n_eff) + lams * act ** 0.33) * gate + 1.5 * lam3 + 2.0 / s.strip.length
     return equidistribute(s.strip.ends, S, rho, N)
 
@@ -110,7 +110,9 @@ def with_corners(s, st, X):
     one is put in."""
     c = s.strip
     corners = laws.COHESIVE[c.law].corners if c.law in laws.COHESIVE else ()
-    if not corners and not c.friction:
+    if c.shear_strength is not None:
+        corners = (0.0, *corners)
+    if not corners and not c.sticks:
         return X
     S = np.sort(np.concatenate([st.X, st.points().ravel()]))
     t = lambda S: laws.opening(c, *st.at(S)[:, :2].T)[0]
@@ -120,12 +122,12 @@ def with_corners(s, st, X):
     for change in changes:
         at = change(S)
         for i in np.flatnonzero(at[:-1] * at[1:] < 0.0):
-            if c.friction and abs(at[i + 1] - at[i]) < 1e-7:          # of no account far down the strip
+            if c.sticks and abs(at[i + 1] - at[i]) < 1e-7:          # of no account far down the strip
                 continue
             place = brentq(lambda x: float(change(np.array([x]))[0]), S[i], S[i + 1], xtol=1e-14, rtol=1e-14)
             j = int(np.searchsorted(X, place))
             k = j if X[j] - place < place - X[j - 1] else j - 1
-            if c.friction and abs(X[k] - place) < 1e-9:
+            if c.sticks and abs(X[k] - place) < 1e-9:
                 continue
             close = abs(X[k] - place) < 0.2 * (X[j] - X[j - 1])
             if close and 0 < k < len(X) - 1:

@@ -268,11 +268,12 @@ class Walk:
         """Turns between the last two points."""
         s = self.s
         a, b = self.points[-2:]
-        for kind, what in (("peak", "P"), ("lp1", "u")):
-            if kind in self.found or kind not in self.want:
+        for kind, what in (("peak", "P"), ("lp1", "u"), ("lp2", "u")):
+            if kind in self.found or kind not in self.want or kind == "lp2" and "lp1" not in self.found:
                 continue
             form = grip(s, what)
-            before, after = (form @ T / (way @ T) for T in self.tangents[-2:])
+            sense = -1.0 if kind == "lp2" else 1.0
+            before, after = (sense * float(form @ T / (way @ T)) for T in self.tangents[-2:])
             if not before > 0.0 >= after:
                 continue
             try:

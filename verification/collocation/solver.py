@@ -20,7 +20,7 @@ class Solver:
 
     def __init__(self, strip):
         self.strip = strip
-        self.d = 6 if strip.friction else 4 if strip.horizontal == "free" and strip.angle == 90.0 else 5
+        self.d = 6 if strip.sticks else 4 if strip.horizontal == "free" and strip.angle == 90.0 else 5
         self.tip = strip.at(0.0)
         self.g0 = rest_gap(self.tip)
         self.raised = strip.end_gap                                   # gap of the grip at u = 0

@@ -275,12 +275,17 @@ impl PeelModel {
             let length = CORNERED_ZONE * process_length;
             foci.push(Focus { center: 0.0, length, weight: CORNERED_WEIGHT, reach: Reach::Near });
         }
+        let lag = self.adhesion.sheared_law().and_then(|_| self.shear_lag_length());
+        if let Some(length) = lag.filter(|&length| length < process_length) {
+            foci.push(Focus { center: 0.0, length, weight: 1.0, reach: Reach::Far });
+        }
         foci
     }
 
     /// Whether elements are cut where the pieces of the law join.
     pub(crate) fn cuts_elements(&self) -> bool {
-        self.ground.substrate.is_flat() && !self.line_law().knots().is_empty()
+        let joins = !self.line_law().knots().is_empty() || self.adhesion.shear_strength.is_some();
+        joins && self.ground.substrate.is_flat()
     }
 
     /// Where elements are small whatever the front: at the free end, which may come to stand on its edge, a wedge whose attraction

@@ -8,7 +8,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "bilinear";
 pub(super) const CORNERS: f64 = 5.0;
-pub(super) const KNOTS: &[f64] = &LAW.knots::<4>();
+pub(super) const KNOTS: &[f64] = &LAW.knots::<5>();
 
 /// Where the top is, as a share of the range, which is rounded over ± half of that.
 const RISE: f64 = 0.1;

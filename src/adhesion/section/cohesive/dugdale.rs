@@ -8,7 +8,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "dugdale";
 pub(super) const CORNERS: f64 = 10.0;
-pub(super) const KNOTS: &[f64] = &LAW.knots::<6>();
+pub(super) const KNOTS: &[f64] = &LAW.knots::<7>();
 
 /// What the flanks take of the range; the corners at their ends are rounded over ± half of that.
 const RISE: f64 = 0.1;

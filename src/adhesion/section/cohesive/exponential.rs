@@ -7,7 +7,7 @@ use super::at::At;
 
 pub(super) const NAME: &str = "exponential";
 pub(super) const CORNERS: f64 = 1.0;
-pub(super) const KNOTS: &[f64] = &[];
+pub(super) const KNOTS: &[f64] = &[0.0];
 
 #[inline]
 pub(super) fn at(t: f64) -> At {

@@ -10,7 +10,7 @@ mod ramp;
 use at::At;
 
 /// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
-/// times as many elements it takes as a law without corners, `KNOTS`, the openings δ/δ_r, ascending, between which it
+/// times as many elements it takes as a law without corners, `KNOTS`, zero and the openings δ/δ_r, ascending, between which it
 /// is a polynomial of degree 8 (or smooth altogether), `at`, and `primitive`, the integral from t on of the first
 /// number of `at`.
 macro_rules! shapes {
@@ -51,6 +51,14 @@ macro_rules! shapes {
 
             /// Between these openings δ/δ_r, ascending, s is a polynomial of degree 8 at most, or smooth altogether.
             pub const fn knots(self) -> &'static [f64] {
+                match self.knots_of_parts().split_first() {
+                    Some((_, knots)) => knots,
+                    None => &[],
+                }
+            }
+
+            /// The same, with zero before them, where what attracts an open face and what repels a pressed one join.
+            pub const fn knots_of_parts(self) -> &'static [f64] {
                 match self {
                     $(Self::$shape => $file::KNOTS,)*
                 }

@@ -54,13 +54,13 @@ impl<const CORNERS: usize> Lines<CORNERS> {
         self.factor * sum
     }
 
-    /// Where the rounding of each corner begins and ends; so many are twice the corners.
+    /// Zero, and where the rounding of each corner begins and ends: one more than twice the corners.
     pub const fn knots<const KNOTS: usize>(&self) -> [f64; KNOTS] {
         let mut knots = [0.0; KNOTS];
-        let mut k = 0;
+        let mut k = 1;
         while k < KNOTS {
-            let Corner { place, half, .. } = self.corners[k / 2];
-            knots[k] = if k % 2 == 0 { place - half } else { place + half };
+            let Corner { place, half, .. } = self.corners[(k - 1) / 2];
+            knots[k] = if k % 2 == 1 { place - half } else { place + half };
             k += 1;
         }
         knots

@@ -9,7 +9,7 @@ use super::ramp::{Corner, Lines};
 
 pub(super) const NAME: &str = "trapezoidal";
 pub(super) const CORNERS: f64 = 5.0;
-pub(super) const KNOTS: &[f64] = &LAW.knots::<6>();
+pub(super) const KNOTS: &[f64] = &LAW.knots::<7>();
 
 /// λ1 and λ2
 const UP: f64 = 0.15;

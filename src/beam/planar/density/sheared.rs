@@ -61,7 +61,7 @@ impl EnergyDensity<3> for ShearedBeam {
     }
 
     fn knots(&self) -> &'static [f64] {
-        self.law.knots()
+        self.sheared.cohesive.shape.knots_of_parts()
     }
 
     fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> f64 {
