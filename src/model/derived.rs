@@ -36,6 +36,9 @@ pub struct DerivedOfSection {
     /// ℓ, over which the adhesion falls off at the peeling front, nm: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the
     /// adhesion at rest
     pub process_length: f64,
+    /// The shear lag length (EA/(b k))^(1/2), nm, over which a force along the substrate goes over into it, k the stiffness of what holds the strip
+    /// there; none where it slides freely
+    pub shear_lag_length: Option<f64>,
     /// The elasto-adhesive length (EI/(w b))^(1/2), nm: a strip that comes off is bent to a radius of this over √2
     pub elasto_adhesive_length: f64,
     /// The dimensionless groups
@@ -97,9 +100,11 @@ impl PeelModel {
         DerivedOfSection {
             work_of_adhesion: work,
             kendall_force: kendall_force(work, modulus, height, width, self.angle_to_strip()),
-            sliding_force: self.space.is_none().then(|| sliding_force(-work * width, stiffness.axial, self.pull.angle)),
+            sliding_force: (self.space.is_none() && self.adhesion.shear_strength.is_none())
+                .then(|| sliding_force(-work * width, stiffness.axial, self.pull.angle)),
             stiffness,
             process_length,
+            shear_lag_length: self.shear_lag_length(),
             elasto_adhesive_length: over_adhesion.sqrt(),
             groups: DimensionlessGroups {
                 length_over_height: length / height,

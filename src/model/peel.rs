@@ -237,7 +237,8 @@ impl PeelModel {
     /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely, and in space
     /// with x.
     pub fn form(&self, asked: Form) -> Form {
-        let reducible = self.ground.substrate.is_flat() && self.tangential_stiffness().is_none() && self.space.is_none();
+        let reducible =
+            self.ground.substrate.is_flat() && self.tangential_stiffness().is_none() && self.space.is_none();
         if reducible { asked } else { Form::ThreeField }
     }
 

@@ -3,7 +3,7 @@
 //! Expected: what an override has brought about is said of the override, and no line of the file is underlined; of a key that is
 //! missing the message names the key. Why: nothing is wrong with the file, and a search in it is in vain.
 
-use crate::text::{MINIMAL, assert_says, complaint, set, with};
+use crate::text::{MINIMAL, SPATULA, assert_says, complaint, set, with};
 use peelkit::study::FollowedUntil;
 use peelkit_scene::Scene;
 
@@ -88,6 +88,28 @@ fn a_cohesive_law_with_work_and_strength_needs_no_distance() {
     assert_says(&complaint(&without), &["[adhesion] lacks `hamaker_constant`", "van der Waals forces"]);
     let foreign = complaint(&format!("{MINIMAL}work = \"0.2 J/m2\"\n"));
     assert_says(&foreign, &["without `law` the adhesion is that of van der Waals forces"]);
+}
+
+#[test]
+fn a_shear_strength_is_that_of_a_strip_under_a_cohesive_law() {
+    let law = format!("{MINIMAL}law = \"exponential\"\n");
+    let held = set("adhesion.shear_strength", "20 MPa");
+    let scene = Scene::parse("a.toml", &law, &held).unwrap();
+    assert_eq!(scene.model.adhesion.shear_strength, Some(0.02));
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    assert_says(&shown(MINIMAL, &held), &["belongs to a cohesive law"]);
+    let beside = |lines: &str, what: &str| {
+        assert_says(
+            &shown(&format!("{law}{lines}"), &held),
+            &[&format!("is given beside {what}, which is not computed")],
+        );
+    };
+    beside("line_load = \"axis-gap\"\n", "a `line_load` that is not \"full\"");
+    beside("[substrate]\nshape = \"sphere\"\nradius = \"900 nm\"\n", "ground that is not flat");
+    beside("[grip]\nhorizontal = \"fixed\"\npretension = \"1 nN\"\n", "`grip.pretension`");
+    assert_says(&shown(&format!("space = true\n{law}"), &held), &["is given beside `space`"]);
+    let spatula = SPATULA.replace("[adhesion]\n", "[adhesion]\nlaw = \"exponential\"\n");
+    assert_says(&shown(&spatula, &held), &["is given beside a body that is no strip"]);
 }
 
 #[test]

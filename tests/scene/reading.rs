@@ -107,8 +107,9 @@ displacement = "0.5 um"
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // pretension, friction and a crack are those of flat ground: pull.rs, friction.rs, and below
-    let elsewhere = |key: &Key| ["pretension", "crack"].contains(&key.name) || key.table == "friction";
+    // pretension, friction, a shear strength and a crack are those of flat ground: pull.rs, friction.rs, conflicts.rs, and below
+    let elsewhere =
+        |key: &Key| ["pretension", "shear_strength", "crack"].contains(&key.name) || key.table == "friction";
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }

@@ -45,7 +45,7 @@ fn every_example_that_messages_give_is_right() {
             "seta" => SETA.to_owned(),
             "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
-            _ if ["work", "strength"].contains(&key.name) => {
+            _ if ["work", "strength", "shear_strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
             _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),
@@ -104,7 +104,7 @@ fn assert_remarks_show_defaults(name: &str) {
     let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
-    let of_a_strip = |key: &Key| key.name != "pretension" || plain.model.strip().is_some();
+    let of_a_strip = |key: &Key| !["pretension", "shear_strength"].contains(&key.name) || plain.model.strip().is_some();
     let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
     for key in KEYS.iter().filter(shown) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());

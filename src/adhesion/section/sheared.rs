@@ -65,8 +65,7 @@ impl ShearedLaw {
         let along_gap = pull.by_gap * slope;
         let along_rotation = pull.by_rotation * slope + along_along * lever;
         let gap_rotation = pull.gap_rotation * hold + along_gap * lever + push.gap_rotation;
-        let rotation_rotation = pull.rotation_rotation * hold
-            + (pull.by_rotation * slope + along_rotation) * lever
+        let rotation_rotation = pull.rotation_rotation * hold + (pull.by_rotation * slope + along_rotation) * lever
             - along * arm
             + push.rotation_rotation;
         ShearedResponse {
@@ -88,8 +87,8 @@ impl ShearedLaw {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adhesion::section::cohesive::CohesiveShape;
     use crate::adhesion::HalfSpace;
+    use crate::adhesion::section::cohesive::CohesiveShape;
     use approx::assert_relative_eq;
 
     const PAPER: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
@@ -116,7 +115,8 @@ mod tests {
                 [(0.0, 0.2, 0.0), (0.3, 0.4, 0.2), (-0.7, 1.3, -0.4), (0.5, -0.2, 0.05), (1.2, 0.45, 2.0)]
             {
                 let lift = 0.5 * HEIGHT * (1.0 - f64::cos(rotation));
-                let place = [slip * scales[0] - 0.5 * HEIGHT * f64::sin(rotation), closed + opening * range - lift, rotation];
+                let place =
+                    [slip * scales[0] - 0.5 * HEIGHT * f64::sin(rotation), closed + opening * range - lift, rotation];
                 let here = at(&law, place);
                 for f in 0..3 {
                     let step = 1e-3 * scales[f];
@@ -130,7 +130,12 @@ mod tests {
                         (45.0 * pair(1.0) - 9.0 * pair(2.0) + pair(3.0)) / (60.0 * step)
                     };
                     let size = law.cohesive.work() / scales[f];
-                    assert_relative_eq!(slope(&|at| at.energy), here.gradient[f], epsilon = 1e-8 * size, max_relative = 1e-8);
+                    assert_relative_eq!(
+                        slope(&|at| at.energy),
+                        here.gradient[f],
+                        epsilon = 1e-8 * size,
+                        max_relative = 1e-8
+                    );
                     for g in 0..3 {
                         let size = size / scales[g];
                         let found = slope(&|at| at.gradient[g]);

@@ -207,7 +207,8 @@ impl PeelModel {
 
     /// Where its model ends on the way.
     fn limits(&self) -> ModelLimits {
-        let one_force = self.has_horizontal_force() && self.ground.substrate.is_flat() && self.tangential_stiffness().is_none();
+        let one_force =
+            self.has_horizontal_force() && self.ground.substrate.is_flat() && self.tangential_stiffness().is_none();
         let bonded = (one_force && self.is_uniform()).then(|| self.bonded_beam(0.0));
         let model = self.clone();
         let section = move |place| {

@@ -84,7 +84,9 @@ pub enum NotOutOfPlane {
     Ground,
     #[error("there is friction, which has no potential: stability is not that of an energy")]
     Friction,
-    #[error("adhesion.shear_strength holds the strip along the substrate, and what it does out of the plane is not computed")]
+    #[error(
+        "adhesion.shear_strength holds the strip along the substrate, and what it does out of the plane is not computed"
+    )]
     Shear,
     #[error(
         "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability \

@@ -111,6 +111,7 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
             "adhesion.equilibrium_distance" => adhesion.equilibrium_distance = number,
             "adhesion.work" => adhesion.work = Some(number),
             "adhesion.strength" => adhesion.strength = Some(number),
+            "adhesion.shear_strength" => adhesion.shear_strength = Some(number),
             "friction.strength" => friction.strength = Some(number),
             "friction.coefficient" => friction.coefficient = number,
             "friction.presliding" => friction.presliding = Some(number),

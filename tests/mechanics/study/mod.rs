@@ -13,6 +13,7 @@ mod out_of_plane;
 mod out_of_plane_branch;
 mod peak_only;
 mod sensitivities;
+mod sheared;
 mod space;
 mod space_by_roll;
 mod space_outlines;

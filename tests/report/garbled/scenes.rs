@@ -38,6 +38,12 @@ fn with_value(key: &Key, value: &str) -> String {
     let cracked = key.name == "crack";
     let fits = |other: &&Key| fits(other) && (stretched && !cracked || other.name != "pretension");
     let fits = |other: &&Key| fits(other) && (cracked || other.name != "crack");
+    // a shear strength is refused beside much else
+    let held = key.name == "shear_strength";
+    let fits = |other: &&Key| {
+        fits(other)
+            && if held { !["pretension", "line_load"].contains(&other.name) } else { other.name != "shear_strength" }
+    };
     // friction goes with the half space on flat ground alone
     let rubs = key.table == "friction";
     let apart =

@@ -25,13 +25,15 @@ pub enum SampleKind {
     Seta,
     /// Adhesive tapes and films, from micrometres to decimetres, under a cohesive law.
     Tape,
+    /// The same, which their adhesive holds along the substrate as well.
+    Held,
     /// Strips in a displacement-controlled test, pulled straight up or at 20 to 160 degrees.
     Observed,
 }
 
 impl SampleKind {
     /// All of them, in the order in which help lists them, with what the command calls each.
-    const NAMES: [(Self, &str); 12] = [
+    const NAMES: [(Self, &str); 13] = [
         (Self::Strip, "strip"),
         (Self::Angle, "angle"),
         (Self::Spatula, "spatula"),
@@ -43,6 +45,7 @@ impl SampleKind {
         (Self::Rate, "rate"),
         (Self::Seta, "seta"),
         (Self::Tape, "tape"),
+        (Self::Held, "held"),
         (Self::Observed, "observed"),
     ];
 
@@ -65,9 +68,8 @@ impl SampleKind {
     pub fn longest_s(self) -> f64 {
         match self {
             Self::Strip | Self::Angle | Self::Spatula | Self::Law | Self::Space => 60.0,
-            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta | Self::Tape | Self::Observed => {
-                40.0
-            }
+            Self::Oblique | Self::Friction | Self::Rough | Self::Rate | Self::Seta => 40.0,
+            Self::Tape | Self::Held | Self::Observed => 40.0,
         }
     }
 }

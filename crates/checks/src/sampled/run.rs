@@ -48,7 +48,7 @@ const TAPE_WAYS: [PeelSetting; 4] = ways_at(1e-4, 1e-6, ["1e-4", "1e-6", "1e-4, 
 /// The ways in which scenes of a kind are peeled: a pull in time and a pull-off of a seta have one accuracy.
 pub fn ways_of(kind: SampleKind) -> &'static [PeelSetting] {
     match kind {
-        SampleKind::Tape => &TAPE_WAYS,
+        SampleKind::Tape | SampleKind::Held => &TAPE_WAYS,
         SampleKind::Rate | SampleKind::Seta => &WAYS[..1],
         _ => &WAYS,
     }

@@ -43,6 +43,7 @@ impl Row {
             }
         }
         grip.pretension = self.number("pretension_nN");
+        adhesion.shear_strength = self.number("shear_strength_GPa");
         let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
         let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
         if let Some(word) = self.text("law") {

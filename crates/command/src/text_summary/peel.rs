@@ -337,7 +337,11 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     lines.extend(slides.map(|force| ("", format!("for a film that slides without friction {force}"))));
     let supplied = || format!("equilibrium distance {}, a tenth of work over strength", length_text(distance));
     lines.extend(is_supplied.then(|| ("", supplied())));
-    let is_free = model.friction_law().is_none() && model.angle_to_strip() != FRAC_PI_2;
+    let held = section.shear_lag_length.filter(|_| model.adhesion.shear_strength.is_some());
+    let held =
+        held.map(|length| format!("the adhesive holds along the substrate, shear lag length {}", length_text(length)));
+    let is_free = held.is_none() && model.friction_law().is_none() && model.angle_to_strip() != FRAC_PI_2;
+    lines.extend(held.map(|text| ("shear", text)));
     lines.extend(is_free.then(|| ("friction", "none: what is bonded slides along the substrate".to_owned())));
     lines.extend([(
         "strip",

@@ -20,6 +20,7 @@ impl Record for DerivedQuantities {
         of.field("shear_stiffness_GAs_nN", "GA_s", |model| of_section(model, |section| section.stiffness.shear));
         of.field("bending_stiffness_EI_nN_nm2", "EI", |model| of_section(model, |section| section.stiffness.bending));
         of.field("process_length_nm", "length ℓ of the process zone: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the adhesion at rest", |model| of_section(model, |section| section.process_length));
+        of.field("shear_lag_length_nm", "(EA/(b k))^(1/2), over which a force along the substrate goes over into it, k the stiffness there; null where the strip slides freely", |model| model.section.as_ref()?.shear_lag_length.and_then(finite));
         of.field("elasto_adhesive_length_nm", "(EI/(w b))^(1/2)", |model| of_section(model, |section| section.elasto_adhesive_length));
         of.group("groups", "dimensionless groups", |of| {
             of.field("length_over_height", "L/h", |model| group(model, |groups| groups.length_over_height));

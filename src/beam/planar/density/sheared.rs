@@ -46,13 +46,7 @@ impl EnergyDensity<3> for ShearedBeam {
         Coupling { value_value: [[true; 3]; 3], ..<ReissnerBeam as EnergyDensity<3>>::COUPLING };
 
     #[inline(always)]
-    fn response<T: Real>(
-        &self,
-        place: T,
-        value: [T; 3],
-        [dx, gap_slope, turn]: [T; 3],
-        _: f64,
-    ) -> PointResponse<T, 3> {
+    fn response<T: Real>(&self, place: T, value: [T; 3], [dx, gap_slope, turn]: [T; 3], _: f64) -> PointResponse<T, 3> {
         let station = self.profile.at(place);
         let slopes = [dx, gap_slope + station.rise, turn];
         let mut response = stored(&station.section, value[2], slopes, station.curvature);

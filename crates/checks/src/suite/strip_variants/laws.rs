@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 pub(in crate::suite) const TOPIC: Topic = Topic {
     name: "laws",
-    about: "other laws of adhesion: collocation, steady force of those with a potential, initial cracks",
+    about: "other laws of adhesion, with a shear strength too: collocation, steady force of those with a potential, initial cracks",
     checks,
 };
 
@@ -30,12 +30,26 @@ const TABLE: Turns = Turns {
         ("length_nm", "L = ", " nm"),
     ],
 };
+const SHEARED: Turns = Turns {
+    table: include_str!("../../../verification/sheared.csv"),
+    source: "verification/sheared.py: collocation",
+    named: &[
+        ("law", "", ""),
+        ("shear_strength_GPa", "shear strength ", " GPa"),
+        ("grip_rotation", "rotation ", ""),
+        ("grip_across", "normal to the pull ", ""),
+        ("bending_stiffness_factor", "EI × ", ""),
+        ("pull_angle_deg", "", " degrees"),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
 /// Length of the strips that peel steadily, nm.
 const LONG: f64 = 1000.0;
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 
 fn checks() -> Vec<Check> {
     let mut checks = TABLE.checks();
+    checks.extend(SHEARED.checks());
     checks.extend(CohesiveShape::ALL.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
     checks.extend(crack::checks());
     checks
