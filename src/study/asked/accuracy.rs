@@ -1,6 +1,6 @@
 //! What the user asks of the numbers, and what follows from it: order, elements and steps.
 
-use super::error_bounds::CORNER_AIM_FRACTION;
+use super::error_bounds::{CORNER_AIM_FRACTION, TOLERANCE_FLOOR_FRACTION};
 use super::terms::Terms;
 use crate::beam::element::integration::BUNDLE;
 use crate::beam::mesh::MeshKind;
@@ -111,6 +111,8 @@ const OF_DETAIL: f64 = 0.5;
 const STICKING: f64 = 1.0;
 /// Elements besides where they are cut at the corners of the law, at the accuracy 1e-6.
 const AT_CORNERS: f64 = 32.0;
+/// Elements besides for each factor e by which the shear lag length of a strip that its adhesive holds is shorter than its process zone, at 1e-6.
+const AT_SHEAR_LAG: f64 = 8.0;
 /// Most elements that are chosen, and where the law has corners.
 const MOST_ELEMENTS: usize = 400;
 const MOST_CORNERED: usize = 1000;
@@ -155,6 +157,9 @@ impl Resolution {
                     / (ON_GROUND * model.process_length() / sharp).min(OF_DETAIL * substrate.feature_length())
         };
         let elements = if model.cuts_elements() { elements + AT_CORNERS * sharp } else { elements };
+        let lag = model.adhesion.shear_strength.and_then(|_| model.shear_lag_length());
+        let shorter = lag.map_or(0.0, |lag| (model.process_length() / lag).ln().max(0.0));
+        let elements = elements + AT_SHEAR_LAG * sharp * shorter;
         let elements = match model.sticking_length() {
             None => elements,
             Some(_) => elements + model.length() / (STICKING * model.feature_length() / sharp),
@@ -211,7 +216,9 @@ pub(in crate::study) fn aim(model: &PeelModel, accuracy: &Accuracy) -> (Accuracy
     if cornered(model) > 1.0 {
         (Accuracy { relative: CORNER_AIM_FRACTION * accuracy.relative, ..*accuracy }, Some(accuracy.relative))
     } else {
-        (*accuracy, None)
+        // what attracts and what repels join with a kink, where a difference to a finer mesh may be small by luck
+        let least = TOLERANCE_FLOOR_FRACTION * accuracy.relative;
+        (*accuracy, model.adhesion.shear_strength.map(|_| least))
     }
 }
 
