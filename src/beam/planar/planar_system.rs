@@ -154,6 +154,16 @@ impl System for PlanarBeam {
         if self.fields() == 2 { self.largest::<2>(direction, values) } else { self.largest::<3>(direction, values) }
     }
 
+    /// S, for the place along the ground of a beam that is held there.
+    fn counted_from(&self, at: &State) -> Option<Vec<f64>> {
+        self.sheared.then(|| {
+            let mut from = vec![0.0; at.values.len()];
+            let fields = self.fields();
+            from.chunks_exact_mut(fields).zip(self.places(&at.mesh.boundaries)).for_each(|(node, place)| node[0] = place);
+            from
+        })
+    }
+
     fn per_unit(&self, at: &State) -> Vec<f64> {
         let (rotation, nodes) = (self.rotation, self.nodes(&at.values));
         let mut units = vec![1.0 / self.scale[rotation]; at.values.len()];

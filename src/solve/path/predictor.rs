@@ -8,6 +8,7 @@ use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::problem::Problem;
 use crate::solve::state::{MONITORS, State};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The most points an extrapolation uses.
@@ -53,13 +54,26 @@ fn on_mesh_of(
     weights: &[f64],
     (monitors, edges): ([f64; MONITORS], [f64; 2]),
 ) -> State {
-    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
+    let counted: Vec<Cow<[f64]>> = points.iter().map(|point| counted(problem, point.aligned(problem))).collect();
+    let states: Vec<&[f64]> = counted.iter().map(|values| &**values).collect();
     let force = points.iter().zip(weights).fold(0.0, |sum, (point, &weight)| sum + weight * point.at.force);
-    State {
+    let mut at = State {
         mesh: problem.system.mesh_for(monitors, edges, &points[0].at.mesh),
         values: problem.system.combine(&states, weights),
         force,
         history: points[0].at.history.clone(),
+    };
+    if let Some(from) = problem.system.counted_from(&at) {
+        at.values.iter_mut().zip(from).for_each(|(value, from)| *value += from);
+    }
+    at
+}
+
+/// The unknowns as they are extrapolated: from what they are counted from.
+fn counted<'a>(problem: &Problem, at: &'a State) -> Cow<'a, [f64]> {
+    match problem.system.counted_from(at) {
+        None => Cow::Borrowed(&*at.values),
+        Some(from) => at.values.iter().zip(from).map(|(value, from)| value - from).collect(),
     }
 }
 
@@ -68,9 +82,10 @@ fn on_mesh_of(
 pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
     let aligned = solution.aligned(problem);
-    let reached = &*aligned.values;
+    let reached = &*counted(problem, aligned);
     let per_unit = problem.system.per_unit(aligned);
-    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
+    let counted: Vec<Cow<[f64]>> = points.iter().map(|point| counted(problem, point.aligned(problem))).collect();
+    let states: Vec<&[f64]> = counted.iter().map(|values| &**values).collect();
     let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())
         .map(|count| {

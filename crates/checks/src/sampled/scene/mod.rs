@@ -28,7 +28,7 @@ pub fn scene_text(kind: SampleKind, seed: u64, index: u64) -> String {
         SampleKind::Rate => sampler.strip_at_a_rate(),
         SampleKind::Seta => sampler.seta(),
         SampleKind::Tape => sampler.tape(None),
-        SampleKind::Held => sampler.tape(Some((0.02, 10.0))),
+        SampleKind::Held => sampler.tape(Some((0.3, 10.0))),
         SampleKind::Observed => sampler.tested_strip(),
         SampleKind::Strip | SampleKind::Angle | SampleKind::Law => sampler.strip(kind),
     }

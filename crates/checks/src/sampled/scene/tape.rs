@@ -3,8 +3,8 @@
 use super::Sampler;
 
 impl Sampler {
-    /// With a shear strength in this range, MPa, if there is one.
-    pub(super) fn tape(&mut self, shear_strength: Option<(f64, f64)>) {
+    /// With a shear strength in this range, over the strength, if there is one.
+    pub(super) fn tape(&mut self, shear_over_strength: Option<(f64, f64)>) {
         let height = self.log_uniform((5.0, 500.0));
         let length = height * self.log_uniform((20.0, 500.0));
         self.line(&format!("[strip]\nheight = \"{height:.6e} um\"\nlength = \"{length:.6e} um\""));
@@ -15,9 +15,11 @@ impl Sampler {
         let law = self.pick(&["bilinear", "exponential", "dugdale", "trapezoidal"]);
         self.line(&format!("law = \"{law}\""));
         self.quantity("work", (0.02, 300.0), "J/m2");
-        self.quantity("strength", (0.02, 10.0), "MPa");
-        if let Some(range) = shear_strength {
-            self.quantity("shear_strength", range, "MPa");
+        let strength = self.log_uniform((0.02, 10.0));
+        self.line(&format!("strength = \"{strength:.6e} MPa\""));
+        if let Some(range) = shear_over_strength {
+            let shear = strength * self.log_uniform(range);
+            self.line(&format!("shear_strength = \"{shear:.6e} MPa\""));
         }
         self.quantity("equilibrium_distance", (0.5, 20.0), "nm");
         let rotation = self.pick(&["free", "fixed"]);
