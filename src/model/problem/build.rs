@@ -82,6 +82,10 @@ const WHERE_BENT: f64 = 0.2;
 const CORNERED_ZONE: f64 = 1.2;
 const CORNERED_WEIGHT: f64 = 8.0;
 
+/// Length of elements at the front of a strip that its adhesive holds, over the shear lag length: a section that turns slips by h/2 of that, which is
+/// resisted over that length over √3.
+const TURNING: f64 = 0.5;
+
 /// From one remembered slip to the next, over the least length over which what happens at the front changes.
 const REMEMBERED: f64 = 1.0 / 24.0;
 
@@ -277,7 +281,7 @@ impl PeelModel {
             foci.push(Focus { center: 0.0, length, weight: CORNERED_WEIGHT, reach: Reach::Near });
         }
         let lag = self.adhesion.sheared_law().and_then(|_| self.shear_lag_length());
-        if let Some(length) = lag.filter(|&length| length < process_length) {
+        if let Some(length) = lag.map(|lag| TURNING * lag).filter(|&length| length < process_length) {
             foci.push(Focus { center: 0.0, length, weight: 1.0, reach: Reach::Far });
         }
         foci
