@@ -159,7 +159,9 @@ impl System for PlanarBeam {
         self.sheared.then(|| {
             let mut from = vec![0.0; at.values.len()];
             let fields = self.fields();
-            from.chunks_exact_mut(fields).zip(self.places(&at.mesh.boundaries)).for_each(|(node, place)| node[0] = place);
+            from.chunks_exact_mut(fields)
+                .zip(self.places(&at.mesh.boundaries))
+                .for_each(|(node, place)| node[0] = place);
             from
         })
     }
