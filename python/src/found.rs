@@ -41,7 +41,7 @@ where
 {
     let analysis = of(&source.scene).map_err(|why| refusal(py, why))?;
     let watch = Watch::begin();
-    let run = || analysis.run(&Session { watcher: &watch, journal: None, abrupt: true });
+    let run = || analysis.run(&Session { watcher: &watch, keeping: None, abrupt: true });
     let found = py.detach(|| watch.over(run));
     watch.end()?;
     let found =

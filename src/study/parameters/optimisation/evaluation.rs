@@ -134,7 +134,7 @@ pub(super) fn derivatives(
 // -- How an optimum is looked for --
 
 /// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Evaluation {
     /// From 0 to 1 between the bounds of each variable
     pub coordinates: Vec<f64>,
