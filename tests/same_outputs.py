@@ -27,6 +27,7 @@ COMMANDS = {
     "run-json": f"run {STRIP} --json",
     "run-observed": f"run {STRIP} --observed",
     "run-observed-soft": "run scenes/strip-soft.toml --observed",
+    "run-at": f"run {STRIP} --at u='30 nm' --at P='0.04 nN' --at front='50 nm' --at end_rotation='30 deg'",
     "run-out-of-plane": f"run {STRIP} --out-of-plane --set strip.width='40 nm'",
     "run-branch": f"run {STRIP} --branch --set strip.width='40 nm'",
     "run-sensitivities": f"run {STRIP} --sensitivities",

@@ -12,9 +12,10 @@ from .curve import Columns, Curve, PullOffCurve, RateCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
 from .found import Found
+from .out_of_plane import OutOfPlane
 from .path import Path, PathPoint
 from .peel import Peel
-from .points import LimitPoint, Peak, Plateau
+from .points import LimitPoint, Peak, Plateau, Station
 from .pulls import PullAtRate, PullOff
 from .scene import Scene
 from .sensitivity import Sensitivity
@@ -31,6 +32,7 @@ __all__ = [
     "Found",
     "LimitPoint",
     "Optimum",
+    "OutOfPlane",
     "Path",
     "PathPoint",
     "Peak",
@@ -45,6 +47,7 @@ __all__ = [
     "SceneError",
     "Sensitivity",
     "State",
+    "Station",
     "Test",
     "TipLaw",
     "Uncertainty",

@@ -37,7 +37,7 @@ def value_text(key: str, value: Any) -> str:
     if _is_quantity(value):
         written = _written(value)
         # the unit of the quantity itself rounds nothing
-        if unit and _native.takes(key, written):
+        if unit and _native.usual(key, written) is not None:
             return _quoted(written)
     number = _number(key, value, unit)
     if number is None:

@@ -8,12 +8,19 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from .notebook import table
+
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
     from . import _native
 
 __all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve"]
+
+#: Rows that a notebook shows of either end.
+_SHOWN = 5
+
 
 class Columns(Mapping[str, NDArray[Any]]):
     """The columns of a table: an array a column, an item a row. A column is an attribute as well."""
@@ -53,6 +60,21 @@ class Columns(Mapping[str, NDArray[Any]]):
 
         named = {f"{name}_{self._units[name]}".rstrip("_"): column for name, column in self.items()}
         return pandas.DataFrame(named)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Return a dataset with a variable a column, with its units, along `point`; xarray has to be installed."""
+        import xarray
+
+        units = {name: {"units": self._units[name] or "1"} for name in self}
+        return xarray.Dataset({name: ("point", column, units[name]) for name, column in self.items()})
+
+    def _repr_html_(self) -> str:
+        """The first and the last rows, for a notebook."""
+        count = len(next(iter(self.values()), ()))
+        shown = range(count) if count <= 2 * _SHOWN else [*range(_SHOWN), *range(count - _SHOWN, count)]
+        rows = [[row, *(column[row].item() for column in self.values())] for row in shown]
+        names = (f"{name} ({self._units[name]})" if self._units[name] else name for name in self)
+        return table(f"{type(self).__name__} of {count} points", rows, ["", *names])
 
     def __repr__(self) -> str:
         """Columns and length."""

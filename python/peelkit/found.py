@@ -11,6 +11,7 @@ from typing import Any
 
 from . import _native
 from .errors import PeelkitError
+from .notebook import numbers_of, table
 
 __all__ = ["Found"]
 
@@ -52,6 +53,10 @@ class Found:
             )
         command = f"peelkit: {type(self).__name__}.save()"
         return [Path(file) for file in self._native.save(os.fspath(folder), command, replace)]
+
+    def _repr_html_(self) -> str:
+        """The numbers of a notebook: those of `summary()`, but for its lists."""
+        return table(str(self._found.get("title", type(self).__name__)), numbers_of(self._found))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Every number; what is read again cannot be saved."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from .curve import arrays
+from .notebook import numbers_of, table
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -98,6 +99,10 @@ class Test:
         from . import plotting
 
         return plotting.test(self, ax, style)
+
+    def _repr_html_(self) -> str:
+        """The numbers of a notebook: those of `summary()`, but for its lists."""
+        return table("displacement-controlled test", numbers_of(self._found))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """All that it holds."""

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 from . import _native, curve
 from .curve import Curve
 from .errors import ComputationError, PeelkitError
-from .points import LimitPoint, Peak, Plateau
+from .notebook import numbers_of, table
+from .points import LimitPoint, Peak, Plateau, Station
 from .sensitivity import Sensitivity, of_peel
 from .state import State
 
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
     from .scene import Scene
 
 __all__ = ["Peel"]
+
+# of a number without a unit
+_UNITS = {"displacement": "nm", "force": "nN", "front": "nm", "end_rotation": "rad"}
 
 
 class Peel:
@@ -141,6 +145,34 @@ class Peel:
             raise PeelkitError(f"`count` is {count}, which is out of range", "Give 0 to 1000 places.")
         return [State._of(state) for state in self._native.states(count)]
 
+    def at(self, **value: float | str) -> list[Station]:
+        """Return the equilibria of the path at an exact value, wherever the path passes it.
+
+        Parameters
+        ----------
+        **value : float or str
+            One of ``displacement`` (nm), ``force`` (nN), ``front`` (nm) and ``end_rotation`` (rad), or a text with another
+            unit: ``end_rotation="30 deg"``.
+
+        Returns
+        -------
+        list of Station
+            In the order of the path, each solved to the accuracy of the scene; empty where the path does not pass the value.
+
+        Raises
+        ------
+        PeelkitError
+            Where the quantity or the unit is not known, and where an equilibrium could not be computed.
+        """
+        if len(value) != 1:
+            raise PeelkitError(f"`at` is given {len(value)} values", "Give one: peel.at(displacement=10.0).")
+        [(quantity, asked)] = value.items()
+        text = asked if isinstance(asked, str) else f"{float(asked)!r} {_UNITS.get(quantity, 'nm')}"
+        found = json.loads(self._native.stations(f"{quantity}={text}"))
+        if found["missed"]:
+            raise ComputationError(found["missed"][0])
+        return [Station.of(station) for station in found["found"]]
+
     def sensitivities(self) -> list[Sensitivity]:
         """Return by which power of each number of the scene the results change, as ``peel run --sensitivities`` does.
 
@@ -192,6 +224,10 @@ class Peel:
     def _repr_svg_(self) -> str | None:
         """The picture of a notebook: the curve with its limit points, as ``peel run`` draws it."""
         return self._native.svg() if len(self.curve.displacement) > 1 else None
+
+    def _repr_html_(self) -> str:
+        """The same with the numbers of `summary()`, but for its lists."""
+        return (self._repr_svg_() or "") + table(self._scene.title, numbers_of(self.summary()))
 
     def __reduce__(self) -> tuple[Any, ...]:
         """The scene and every bit of the result."""

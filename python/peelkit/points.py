@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-__all__ = ["LimitPoint", "Peak", "Plateau"]
+__all__ = ["LimitPoint", "Peak", "Plateau", "Station"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,4 +131,60 @@ class LimitPoint:
             found["error_aJ"],
             found.get("end_rotation_rad"),
             found.get("flat", False),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Station:
+    """An equilibrium of the path at which a quantity has exactly the value that was asked for.
+
+    Attributes
+    ----------
+    displacement, displacement_error : float
+        u of the grip and the bound on its error, nm.
+    force, force_error : float
+        P and the bound on its error, nN.
+    end_rotation, end_rotation_error : float
+        θ(L) and the bound on its error, rad.
+    front, front_error : float
+        The length that still adheres and the bound on its error, nm.
+    work : float
+        ∫ P du from where the path begins, aJ.
+    stable : bool
+        Whether the beam is stable under displacement control there.
+
+    A bound is None where there is none: with friction, where a term of the model was left out, and next to a limit
+    point that a finer mesh has elsewhere.
+    """
+
+    displacement: float
+    force: float
+    end_rotation: float
+    front: float
+    work: float
+    stable: bool
+    displacement_error: float | None
+    force_error: float | None
+    end_rotation_error: float | None
+    front_error: float | None
+
+    @property
+    def error(self) -> float | None:
+        """Bound on the error of the force, nN."""
+        return self.force_error
+
+    @classmethod
+    def of(cls, found: Mapping[str, Any]) -> Station:
+        """From an object of ``summary.json``."""
+        return cls(
+            found["displacement_nm"],
+            found["force_nN"],
+            found["end_rotation_rad"],
+            found["front_nm"],
+            found["work_aJ"],
+            found["negative_eigenvalues"] == 0,
+            found["error_nm"],
+            found["error_nN"],
+            found["error_rad"],
+            found["error_front_nm"],
         )

@@ -12,7 +12,9 @@ from . import _native
 from ._native import Scene as NativeScene
 from ._toml import table_text, value_text
 from .errors import ComputationWarning, SceneError, cut_by
+from .notebook import table
 from .observed import Test
+from .out_of_plane import OutOfPlane
 from .path import Path as EquilibriumPath
 from .peel import Peel
 from .pulls import PullAtRate, PullOff
@@ -21,7 +23,7 @@ from .tip_law import TipLaw
 
 __all__ = ["Scene"]
 
-_Run = TypeVar("_Run", Peel, PullOff, PullAtRate)
+_Run = TypeVar("_Run", Peel, PullOff, PullAtRate, OutOfPlane)
 
 
 class Scene:
@@ -146,6 +148,31 @@ class Scene:
         """Return every key with its value as a text that reads as the same scene, to the last bit."""
         return self._native.to_toml()
 
+    def to_dict(self) -> dict[str, Any]:
+        """Return every key with its value: its tables as dictionaries, quantities as texts with their unit.
+
+        Returns
+        -------
+        dict
+            ``Scene(**scene.to_dict())`` is the same scene, to the last bit.
+        """
+        found: dict[str, Any] = {}
+        for of, name, value in self._native.entries():
+            (found.setdefault(of, {}) if of else found)[name] = value
+        return found
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key: ``scene["strip.length"]``; a number is in the unit that ``peel keys`` lists.
+
+        Raises
+        ------
+        KeyError
+            Where there is no such key, or the scene has no value of it.
+        """
+        value = dict(self._keys())[key]
+        number = self._native.number(key) if isinstance(value, str) else None
+        return value if number is None else number
+
     def run(self) -> Peel | Any:
         """Compute what the scene describes, as ``peel run`` does.
 
@@ -265,6 +292,30 @@ class Scene:
             warnings.warn(f"the test stopped short: {reason}", ComputationWarning, stacklevel=2)
         return test
 
+    def out_of_plane(self, branch: bool = False) -> OutOfPlane:
+        """Compute where the planar path can be left out of its plane, as ``peel run --out-of-plane`` does.
+
+        Parameters
+        ----------
+        branch : bool, optional
+            Whether the branch that leaves the plane is followed as well, as with ``--branch``.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no such stability: with friction, say.
+
+        Warns
+        -----
+        ComputationWarning
+            Where the path or the branch stopped short, and where a bound of the scene cut the path.
+        """
+        native = _native.out_of_plane(self._native, branch)
+        found = self._warned(OutOfPlane(native, OutOfPlane._read(native)))
+        if native.short is not None and found.end not in ("failed", "refused"):
+            warnings.warn(f"the computation stopped short: {native.short}", ComputationWarning, stacklevel=2)
+        return found
+
     def sensitivities(self) -> list[Sensitivity]:
         """Run the scene, and return by which power of each of its numbers the results change.
 
@@ -317,6 +368,15 @@ class Scene:
     def __reduce__(self) -> tuple[Any, ...]:
         """Name, text and replaced values."""
         return _restored, self._native.parts()
+
+    def _repr_html_(self) -> str:
+        """Every key with its value, for a notebook; quantities as `to_dict()` has them."""
+        return table(self.title, self._keys(), ("key", "value"))
+
+    def _keys(self) -> list[tuple[str, Any]]:
+        """Every key that has a value, with it."""
+        entries = self._native.entries()
+        return [(f"{of}.{name}" if of else name, value) for of, name, value in entries]
 
     def __repr__(self) -> str:
         """Name and title."""

@@ -1,13 +1,14 @@
 //! Analyses of a scene, as their outcomes are handed on.
 
-use crate::columns::of_cells;
+use crate::columns::{Column, of_cells, of_records};
 use crate::errors::refused;
 use crate::found::{NativeFound, analysed};
+use crate::interrupt::Watch;
 use crate::scene::NativeScene;
-use peelkit::study::MeasuredPoint;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
-use peelkit_analyses::{Asked, Data, Fitting, Optimisation, RateRun, SetaRun, TipCoarsening, Uncertainty};
-use peelkit_report::{pull_off_columns, rate_columns};
+use peelkit::study::{MeasuredPoint, observed};
+use peelkit_analyses::{Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, TipCoarsening, Uncertainty};
+use peelkit_report::{ObservedSummary, Record, pull_off_columns, rate_columns, timed};
 use pyo3::prelude::*;
 use std::path::Path;
 
@@ -25,6 +26,14 @@ pub fn pull_at_rate(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
     let found = analysed(py, &scene.source, |scene| RateRun::of(scene, Asked::default()))?;
     let columns = of_cells(py, rate_columns(&found.pulled.points))?;
     Ok(NativeFound::new(&scene.source, found)?.with_columns(columns))
+}
+
+/// The stability of the planar path of a scene against leaving its plane and, where asked for, the branch on which it leaves.
+#[pyfunction]
+pub fn out_of_plane(py: Python, scene: &NativeScene, branch: bool) -> PyResult<NativeFound> {
+    scene.source.of_peel(py)?;
+    let asked = Asked { out_of_plane: true, branch, ..Asked::default() };
+    NativeFound::new(&scene.source, analysed(py, &scene.source, |scene| PeelRun::of(scene, asked))?)
 }
 
 /// The law of a tip from the spatula of a scene. What is not given is as wide as usual; nm, rad.
@@ -82,4 +91,28 @@ fn measured_point((displacement, force, force_error): (f64, f64, Option<f64>)) -
 #[pyfunction]
 pub fn uncertainty(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
     NativeFound::new(&scene.source, analysed(py, &scene.source, Uncertainty::of)?)
+}
+
+/// What a machine that holds the displacement would record.
+#[pyclass(name = "Test", module = "peelkit._native", frozen, get_all)]
+pub struct NativeTest {
+    /// The object `observed` of summary.json
+    summary: String,
+    /// The columns of observed.csv
+    columns: Vec<Column>,
+}
+
+/// Tests a scene, without the interpreter.
+#[pyfunction]
+pub fn test(py: Python, scene: &NativeScene) -> PyResult<NativeTest> {
+    let (source, watch) = (scene.source.clone(), Watch::begin());
+    let scene = source.of_peel(py)?;
+    let (found, solve_s) = py.detach(|| {
+        let stop = watch.on(scene.bounds.from_now());
+        timed(|| observed(&scene.model, &scene.accuracy, &stop))
+    });
+    watch.end()?;
+    let test = found.map_err(|none| refused(py, format!("there is no observed test: {none}"), &none.remedy()))?;
+    let summary = ObservedSummary::new(&test, solve_s).to_json()?;
+    Ok(NativeTest { summary, columns: of_records(py, test.points.iter())? })
 }

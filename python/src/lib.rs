@@ -9,35 +9,34 @@ mod columns;
 mod errors;
 mod found;
 mod interrupt;
-mod keys;
 mod path;
 mod peel;
+mod rows;
 mod scene;
 mod sensitivities;
 mod states;
-mod test;
 
 /// The native module of the package.
 #[pyo3::pymodule(name = "_native")]
 mod native {
     #[pymodule_export]
-    use crate::analyses::{coarsen, fit, optimise, pull_at_rate, pull_off, uncertainty};
+    use crate::analyses::{
+        NativeTest, coarsen, fit, optimise, out_of_plane, pull_at_rate, pull_off, test, uncertainty,
+    };
     #[pymodule_export]
     use crate::found::NativeFound;
-    #[pymodule_export]
-    use crate::keys::{keys, takes};
     #[pymodule_export]
     use crate::path::{NativePath, path};
     #[pymodule_export]
     use crate::peel::NativePeel;
     #[pymodule_export]
-    use crate::scene::NativeScene;
+    use crate::rows::NativeRows;
+    #[pymodule_export]
+    use crate::scene::{NativeScene, keys, usual};
     #[pymodule_export]
     use crate::sensitivities::sensitivities;
     #[pymodule_export]
     use crate::states::NativeState;
-    #[pymodule_export]
-    use crate::test::{NativeTest, test};
 
     /// Version of the program.
     #[pymodule_export]

@@ -1,16 +1,16 @@
 //! The result of a run.
 
 use crate::columns::{Column, counts, floats, of_records};
-use crate::errors::other;
+use crate::errors::{other, refused};
 use crate::found::save;
 use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
-use peelkit::study::{self, PathEnd, Peel, PeelResult};
+use peelkit::study::{self, PathEnd, Peel, PeelResult, Stations};
 use peelkit_analyses::PeelOutcome;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
 use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
-use peelkit_scene::BoundsTable;
+use peelkit_scene::{BoundsTable, station};
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes};
 use serde::{Deserialize, Serialize};
@@ -92,7 +92,9 @@ impl NativePeel {
         if let Some(text) = self.summary.get() {
             return Ok(text);
         }
-        let made = PeelSummary::new(&self.source.scene, &self.peel, self.solve_s).to_json();
+        let scene = &self.source.scene;
+        let stations: Vec<Stations> = scene.stations.iter().map(|&at| self.peel.stations(at)).collect();
+        let made = PeelSummary::new(scene, &self.peel, self.solve_s).with_stations(&stations).to_json();
         let text = made.map_err(|error| unwritten(py, "summary", error))?;
         Ok(self.summary.get_or_init(|| text))
     }
@@ -176,9 +178,17 @@ impl NativePeel {
         states.iter().map(|state| states::handed(py, state)).collect()
     }
 
+    /// The equilibria at a value, `displacement=10 nm`, as the text of an object of summary.json.
+    fn stations(&self, py: Python, text: &str) -> PyResult<String> {
+        let at = station(text).map_err(|why| refused(py, format!("{text} {}", why.found), &why.remedy))?;
+        let peel = self.with_solutions(py)?;
+        py.detach(|| peel.stations(at)).to_json().map_err(|error| unwritten(py, "station", error))
+    }
+
     /// Writes the files of `peel run` to a folder; where each is.
     fn save(&self, py: Python, folder: PathBuf, command: &str, replace: bool) -> PyResult<Vec<PathBuf>> {
         let outcome = PeelOutcome::of(Arc::clone(self.with_solutions(py)?), self.solve_s);
+        let outcome = outcome.with_stations(&self.source.scene);
         save(py, (&outcome, &self.source.scene), &folder, command, replace)
     }
 

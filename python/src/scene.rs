@@ -5,8 +5,9 @@ use crate::interrupt::Watch;
 use crate::peel::NativePeel;
 use peelkit::study::{self, Checkpoint};
 use peelkit_report::timed;
-use peelkit_scene::Scene;
+use peelkit_scene::{KEYS, Key, Scene, Value, find_key};
 use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyDict, PyList};
 use std::sync::Arc;
 
 /// A scene that has been checked.
@@ -40,6 +41,30 @@ impl Source {
             }
         }
     }
+}
+
+/// A value for Python; a number of a key with a unit as a text with it.
+fn handed<'py>(py: Python<'py>, value: &Value, unit: &str, whole: bool) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match value {
+        Value::Text(text) => text.into_pyobject(py)?.into_any(),
+        Value::Number(number) if !unit.is_empty() => format!("{number} {unit}").into_pyobject(py)?.into_any(),
+        Value::Number(number) if whole => (*number as i64).into_pyobject(py)?.into_any(),
+        Value::Number(number) => number.into_pyobject(py)?.into_any(),
+        Value::Flag(flag) => PyBool::new(py, *flag).to_owned().into_any(),
+        Value::List(items) => {
+            let items: PyResult<Vec<_>> = items.iter().map(|item| handed(py, item, "", false)).collect();
+            PyList::new(py, items?)?.into_any()
+        }
+        Value::Table(entries) => {
+            let table = PyDict::new(py);
+            for (name, value) in entries {
+                table.set_item(name, handed(py, value, "", false)?)?;
+            }
+            table.into_any()
+        }
+        // no key of a scene has one
+        Value::Other(what) => what.into_pyobject(py)?.into_any(),
+    })
 }
 
 #[pymethods]
@@ -82,6 +107,25 @@ impl NativeScene {
         self.source.scene.to_toml()
     }
 
+    /// Every key with its value: table, name, and the value as the text has it, but quantities as texts with their unit.
+    fn entries(&self, py: Python) -> PyResult<Vec<(&'static str, &'static str, Py<PyAny>)>> {
+        let scene = &self.source.scene;
+        let has = |key: &&Key| key.belongs_to(scene);
+        let entry = |key: &'static Key| {
+            let value = key.value(scene)?;
+            let whole = matches!(value, Value::Number(number) if key.is_written_whole(number));
+            Some(handed(py, &value, key.unit(), whole).map(|value| (key.table, key.name, value.unbind())))
+        };
+        KEYS.iter().filter(has).filter_map(entry).collect()
+    }
+
+    /// The number of a key in the unit that `peel keys` lists; none of a key that is no number, and of one without a value.
+    fn number(&self, path: &str) -> Option<f64> {
+        let key = find_key(path).ok().filter(|key| key.is_numeric())?;
+        let Value::Number(number) = key.value(&self.source.scene)? else { return None };
+        Some(in_usual_unit(key, number))
+    }
+
     /// What a run of it computes: "peel", "seta", or "rate".
     #[getter]
     fn subject(&self) -> &'static str {
@@ -103,4 +147,26 @@ impl NativeScene {
         watch.end()?;
         Ok(NativePeel::new(source, peel, solve_s))
     }
+}
+
+/// Every key with the unit in which a bare number is taken, as `peel keys` lists it; empty where it takes none.
+#[pyfunction]
+pub fn keys() -> Vec<(String, &'static str)> {
+    KEYS.iter().map(|key| (key.path(), key.usual_unit())).collect()
+}
+
+/// The number of a quantity in the unit that `peel keys` lists; none where this key takes no such text.
+#[pyfunction]
+pub fn usual(path: &str, text: &str) -> Option<f64> {
+    let key = find_key(path).ok().filter(|key| key.dimension().is_some())?;
+    Some(in_usual_unit(key, key.parse_number(text).ok()?))
+}
+
+/// A number of a key in the unit that `peel keys` lists: one that reads as the same number again.
+fn in_usual_unit(key: &Key, number: f64) -> f64 {
+    let usual = number * key.per_usual_unit();
+    // 60 deg and not what is left of it behind its way to radians and back
+    let short = format!("{usual:.14e}").parse().ok();
+    let reads_as = |short: &f64| key.parse_number(&format!("{short} {}", key.usual_unit())) == Ok(number);
+    short.filter(reads_as).unwrap_or(usual)
 }

@@ -92,3 +92,35 @@ def test_sensitivities_are_those_of_the_command(root: Path, command: Command, mo
     assert [(one.of, one.key, one.value, one.error) for one in found] == [
         (one["of"], one["key"], one["d_ln_d_ln"], one["error"]) for one in expected
     ]
+
+
+@pytest.mark.parametrize("branch", [False, True])
+def test_what_leaves_the_plane_is_that_of_the_command(
+    branch: bool, root: Path, command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(root)
+    path, option = "scenes/strip-100nm.toml", "--branch" if branch else "--out-of-plane"
+    printed = command("run", path, "--set", "strip.width=40 nm", option, "--json", "--out", tmp_path / "command")
+    found = peelkit.Scene.read(path).with_("strip.width", "40 nm").out_of_plane(branch=branch)
+    assert comparable(found.summary()) == comparable(printed)
+    assert found.stability is not None and found.end == printed["end"] and found.reason is None
+    assert found.stability["first_loss"] == printed["out_of_plane"]["first_loss"]
+    assert (found.branch is not None) == branch
+    if found.branch is not None:
+        assert found.branch["end"] == "back-in-plane" and "with its branch" in repr(found)
+    saved = found.save(tmp_path / "python")
+    assert ("branch.csv" in [file.name for file in saved]) == branch
+    for file in saved:
+        # these two name the command, and times
+        if file.name not in ("parameters.toml", "summary.json"):
+            assert file.read_bytes() == (tmp_path / "command" / file.name).read_bytes(), file
+
+
+def test_what_cannot_leave_the_plane_is_refused(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    for name, part in [("strip-friction", "friction"), ("seta", r"\[seta\]"), ("strip-at-a-rate", r"\[time\]")]:
+        with pytest.raises(peelkit.SceneError, match=part):
+            peelkit.Scene.read(f"scenes/{name}.toml").out_of_plane()
+    short = peelkit.Scene.read("scenes/strip-100nm.toml").with_("bounds.points", 5)
+    with pytest.warns(peelkit.ComputationWarning, match="bounds.points = 5"):
+        assert short.out_of_plane().end == "bound"

@@ -98,11 +98,9 @@ def test_what_is_of_a_beam_alone_is_refused_of_a_seta_and_of_a_rate(
 ) -> None:
     monkeypatch.chdir(root)
     for scene, table in [(small_seta(root), "seta"), (peelkit.Scene.read("scenes/strip-at-a-rate.toml"), "time")]:
-        for of_a_beam in (scene.test, scene.path, scene.sensitivities, scene.coarsen, lambda: peelkit.optimise(scene)):
+        for of_a_beam in (scene.test, scene.path, scene.sensitivities, scene.coarsen, scene.out_of_plane):
             with pytest.raises(peelkit.SceneError, match=rf"\[{table}\]"):
                 of_a_beam()
-        with pytest.raises(peelkit.SceneError, match="a seta or a rate"):
-            peelkit.sweep(scene, {"accuracy.relative": [1e-4]})
     with pytest.raises(peelkit.SceneError, match="no seta"):
         strip.pull_off()
     with pytest.raises(peelkit.SceneError, match="not pulled at a rate"):

@@ -4,6 +4,8 @@ Reference: `summary()`, which is that of the command. Expected: attributes are i
 null; arrays own no copy of their memory; pictures stand on axes that are given.
 """
 
+from xml.etree import ElementTree
+
 import matplotlib
 import numpy as np
 import pytest
@@ -46,6 +48,26 @@ def test_columns_are_arrays(peel: peelkit.Peel) -> None:
     assert curve is peel.curve and curve["force"] is curve.force and "torque" not in curve
     assert len(curve.force) == peel.summary()["path"]["points"]
     assert list(curve.to_pandas())[:2] == ["displacement_nm", "force_nN"]
+
+
+def test_stations_have_exactly_what_was_asked(peel: peelkit.Peel) -> None:
+    """Of `verification/stations.csv`, a collocation without finite elements: the strip of 100 nm at u = 30 nm."""
+    before, behind = peel.at(displacement=30.0)[:2]
+    for found, force in [(before, 0.0504094198094), (behind, 0.0124050647891)]:
+        assert found.displacement == pytest.approx(30.0, abs=1e-9)
+        assert found.error is not None and abs(found.force - force) <= found.error
+    assert (before.stable, behind.stable) == (True, False)
+    assert peel.at(force="0.04 nN")[1].displacement == pytest.approx(47.6567102566, rel=1e-7)
+    assert peel.at(end_rotation="30 deg")[0].displacement == pytest.approx(19.5215706734, rel=1e-6)
+    assert peel.at(front=1e6) == []
+    asked = peel.scene.with_("output.stations", {"displacement": ["30 nm"]}).run().summary()["stations"]
+    assert [at["force_nN"] for at in asked[0]["found"]] == [at.force for at in peel.at(displacement=30.0)]
+    with pytest.raises(peelkit.PeelkitError, match="which is none of"):
+        peel.at(place=3.0)
+    with pytest.raises(peelkit.PeelkitError, match="not a force"):
+        peel.at(force="3 nm")
+    with pytest.raises(peelkit.PeelkitError, match="2 values"):
+        peel.at(force=1.0, front=3.0)
 
 
 def test_states_are_in_equilibrium(peel: peelkit.Peel) -> None:
@@ -125,3 +147,37 @@ def test_a_curve_as_an_array_has_its_numbers(strip: peelkit.Scene) -> None:
     assert np.asarray(curve, dtype=np.float32).dtype == np.float32
     with pytest.raises(ValueError, match="copy"):
         curve.__array__(copy=False)
+
+
+def cells(html: str) -> list[list[str]]:
+    """The cells of a table of HTML, row by row."""
+    table = ElementTree.fromstring(html[html.index("<table>") :])
+    return [["".join(cell.itertext()) for cell in row] for row in table.iter("tr")]
+
+
+def test_a_notebook_shows_tables(peel: peelkit.Peel, strip: peelkit.Scene) -> None:
+    shown = dict(cells(strip._repr_html_()))
+    assert shown["strip.length"] == "100 nm" and shown["title"] == "Strip"
+    assert "&lt;b&gt;" in strip.with_("title", "<b>")._repr_html_()
+    peak = peel.peak
+    assert peak is not None
+    assert dict(cells(peel._repr_html_()))["peak.force_nN"] == f"{peak.force:.6g}"
+    assert peel._repr_html_().startswith("<svg")
+    head, first, *rest = cells(peel.curve._repr_html_())
+    assert head[:3] == ["", "displacement (nm)", "force (nN)"] and len(head) == len(first) == 1 + len(peel.curve)
+    assert first[0] == "0" and len(rest) == 9 and rest[-1][0] == str(len(peel.curve.force) - 1)
+    test = strip.test()
+    assert dict(cells(test._repr_html_()))["end"] == test.end
+    seta = peelkit.Scene(
+        seta={"forks": 1}, spatula={}, adhesion={"hamaker_constant": "1e-19 J", "equilibrium_distance": "0.4 nm"}
+    ).pull_off()
+    assert dict(cells(seta._repr_html_()))["tips"] == "2"
+
+
+def test_a_curve_is_a_dataset_with_units(peel: peelkit.Peel) -> None:
+    pytest.importorskip("xarray")
+    curve = peel.curve
+    dataset = curve.to_xarray()
+    assert list(dataset.data_vars) == list(curve) and dataset.force.dims == ("point",)
+    assert dataset.force.attrs == {"units": "nN"} and dataset.newton_iterations.attrs == {"units": "1"}
+    assert (dataset.force.values == curve["force"]).all()

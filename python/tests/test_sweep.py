@@ -9,8 +9,9 @@
               worker 3        ##########       joins later
     stores    .zarr = .parquet = memory        each batch whole, once, and only what is missing after an interruption
 
-Parameters: the strip of 100 nm at a tolerance of 1e-3, its modulus and the angle of the pull. The reference is a plain
-loop over the scenes, and the table of the command ``peel sweep``. Expected: the same bits everywhere but for
+Parameters: the strip of 100 nm at a tolerance of 1e-3, its modulus and the angle of the pull; a seta of two tips, its angle; and
+the same seta pulled at a rate, the rate. The reference is a plain loop over the scenes, and the table of the command
+``peel sweep``. Expected: the same bits everywhere but for
 `solve_time`. Why: what a cluster has computed should not be doubted because a machine of it was lost.
 """
 
@@ -18,7 +19,6 @@ from __future__ import annotations
 
 import csv
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -27,6 +27,7 @@ import time
 from collections.abc import Callable
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -35,7 +36,7 @@ import numpy as np
 import pytest
 
 import peelkit
-from peelkit._sweep.columns import COLUMNS
+from peelkit._sweep.columns import columns_of
 
 xarray = pytest.importorskip("xarray")
 
@@ -89,26 +90,93 @@ def test_threads_and_processes_give_the_same(scene: peelkit.Scene, serial: Any) 
         assert_same(peelkit.sweep(scene, VARIED, processes, batch=4), serial)
 
 
-def test_the_table_of_the_command_is_the_same(scene: peelkit.Scene, tmp_path: Path) -> None:
-    peel = os.environ.get("PEELKIT_COMMAND", shutil.which("peel"))
-    if peel is None:
-        pytest.skip("the command peel is not there: name it in the variable PEELKIT_COMMAND")
-    lengths = ["90", "100", "110.5"]
-    scene_file, values = str(SCENES / "strip-100nm.toml"), ",".join(lengths) + " nm"
-    command = [str(Path(peel).resolve()), "sweep", scene_file, "--vary", "strip.length", "--values", values]
-    subprocess.run([*command, "--set", "accuracy.relative=1e-3", "--out", "out"], cwd=tmp_path, check=True)
-    with open(tmp_path / "out/sweep.csv", newline="") as file:
+@dataclass(frozen=True)
+class Kind:
+    """What a scene describes, varied: the scene, what is set in it, the key, and its values in the unit of the key."""
+
+    subject: str
+    file: str
+    values: dict[str, Any]
+    key: str
+    unit: str
+    few: list[float]
+    many: tuple[float, float]
+
+    def scene(self) -> peelkit.Scene:
+        return peelkit.Scene.read(SCENES / self.file).with_(self.values)
+
+
+KINDS = [
+    Kind("peel", "strip-100nm.toml", {"accuracy.relative": 1e-3}, "strip.length", "nm", [90, 100, 110.5], (90, 110)),
+    Kind("seta", "seta.toml", {"seta.forks": 1}, "seta.shaft_angle", "deg", [0, 7.5, 30], (0, 30)),
+    Kind("rate", "seta-at-a-rate.toml", {"seta.forks": 1}, "time.rate", "mm/s", [5, 10, 12.5], (5, 15)),
+    Kind("rate", "strip-at-a-rate.toml", {"time.displacement": "2 nm"}, "strip.length", "nm", [90, 100], (90, 110)),
+]
+each_kind = pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.file)
+
+
+@each_kind
+def test_the_table_of_the_command_is_the_same(kind: Kind, executable: Path, tmp_path: Path) -> None:
+    values = ",".join(map(str, kind.few)) + f" {kind.unit}"
+    command = [str(executable.resolve()), "sweep", str(SCENES / kind.file), "--vary", kind.key, "--values", values]
+    sets = [word for key, value in kind.values.items() for word in ("--set", f"{key}={value}")]
+    subprocess.run([*command, *sets, "--out", "out"], cwd=tmp_path, check=True)
+    with open(tmp_path / "out/sweep.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    found = peelkit.sweep(scene, {"strip.length": [f"{length} nm" for length in lengths]})
-    for column in COLUMNS:
+    scene, columns = kind.scene(), columns_of(kind.subject)
+    found = peelkit.sweep(scene, {kind.key: [f"{value} {kind.unit}" for value in kind.few]})
+    assert list(found.data_vars) == [column.name for column in columns]
+    for column in columns:
         if column.name != "solve_time":
             expected = [row[column.source] if column.is_text else float(row[column.source] or "nan") for row in rows]
             np.testing.assert_array_equal(found[column.name], expected, column.name)
 
 
+@each_kind
+def test_every_kind_is_the_same_on_threads_and_processes(kind: Kind) -> None:
+    varied = {kind.key: kind.few}
+    reference = peelkit.sweep(kind.scene(), varied, ThreadPoolExecutor(1), batch=1)
+    assert "failed" not in reference.end.values
+    assert_same(peelkit.sweep(kind.scene(), varied, ThreadPoolExecutor(2), batch=2), reference)
+    with ProcessPoolExecutor(2, get_context("spawn")) as processes:
+        assert_same(peelkit.sweep(kind.scene(), varied, processes, batch=1), reference)
+
+
+@pytest.mark.filterwarnings("default")
+def test_every_kind_is_the_same_on_a_cluster() -> None:
+    distributed = pytest.importorskip("distributed")
+    options = {"n_workers": 2, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    with distributed.LocalCluster(**options) as cluster, distributed.Client(cluster) as client:
+        for kind in KINDS:
+            varied = {kind.key: kind.few}
+            found = peelkit.sweep(kind.scene(), varied, client, batch=1)
+            assert_same(found, peelkit.sweep(kind.scene(), varied, ThreadPoolExecutor(1)))
+
+
+def test_a_seta_or_a_rate_of_a_sweep_is_the_run_of_its_scene() -> None:
+    seta, rate = KINDS[1], KINDS[2]
+    row = peelkit.sweep(seta.scene(), {seta.key: [7.5]}).isel({seta.key: 0})
+    pulled = seta.scene().with_(seta.key, 7.5).pull_off().summary()
+    assert row.peak_force == pulled["peak"]["force_nN"] and row.peak_force_error > 0.0
+    assert row.end == pulled["end"] == "detached" and row.peak_force.attrs["units"] == "nN"
+    row = peelkit.sweep(rate.scene(), {rate.key: [12.5]}).isel({rate.key: 0})
+    pulled_at = rate.scene().with_(rate.key, 12.5).pull_at_rate().summary()
+    assert row.largest_force == pulled_at["largest_force"]["force_nN"]
+    assert row.contact_lost == pulled_at["contact_lost_s"] and row.contact_lost.attrs["units"] == "s"
+
+
 def test_values_are_numbers_texts_or_quantities(scene: peelkit.Scene) -> None:
     heights = peelkit.sweep(scene, {"strip.height": ["9 nm", 10.0]})
     assert list(heights["strip.height"].values) == [9.0, 10.0]
+    # a text in another unit that the key takes is a number in the usual one, with the bits that the command reads
+    others = peelkit.sweep(scene, {"strip.height": ["0.009 um", "10 nm"]})
+    assert_same(others, heights)
+    assert list(peelkit.sweep(scene, {"drive.angle": ["60 deg", "1.5 rad"]})["drive.angle"].values) == [
+        60.0,
+        pytest.approx(np.degrees(1.5), rel=1e-15),
+    ]
+    with pytest.raises(peelkit.SceneError, match="not a number with its unit"):
+        peelkit.sweep(scene, {"strip.height": ["9 N"]})
     words = peelkit.sweep(scene, {"grip.rotation": ["free", "fixed"]})
     assert words.peak_force.sel({"grip.rotation": "free"}) != words.peak_force.sel({"grip.rotation": "fixed"})
     pint = pytest.importorskip("pint")
@@ -194,26 +262,30 @@ def test_an_interrupted_sweep_computes_what_is_missing(
 
 SWEPT = """
 import sys, numpy, peelkit
-scene = peelkit.Scene.read(sys.argv[1]).with_("accuracy.relative", 1e-3)
-peelkit.sweep(scene, {"strip.length": numpy.linspace(90, 110, 200)}, store=sys.argv[2], batch=2)
+scene, store, key, first, last = sys.argv[1:]
+varied = {key: numpy.linspace(float(first), float(last), 200)}
+peelkit.sweep(peelkit.Scene.from_toml(scene), varied, store=store, batch=2)
 """
 
 
+@pytest.mark.parametrize("kind", KINDS[:3], ids=lambda kind: kind.file)
 @pytest.mark.parametrize("suffix", ["zarr", "parquet"])
-def test_a_killed_sweep_goes_on(scene: peelkit.Scene, tmp_path: Path, suffix: str) -> None:
+def test_a_killed_sweep_goes_on(kind: Kind, tmp_path: Path, suffix: str) -> None:
     """Killed at once, wherever it is, as often as it takes: what is there is whole, and what is missing is computed."""
     store, kills = tmp_path / f"sweep.{suffix}", 0
-    started = "batch-*" if suffix == "parquet" else "peak_force/*"
+    scene = peelkit.Scene.from_toml(kind.scene().to_toml())
+    started = "batch-*" if suffix == "parquet" else "newton_iterations/*"
+    arguments = [scene.to_toml(), str(store), kind.key, *map(str, kind.many)]
     for _ in range(3):
         before = len(list(store.glob(started)))
-        with subprocess.Popen([sys.executable, "-c", SWEPT, SCENES / "strip-100nm.toml", store]) as child:
+        with subprocess.Popen([sys.executable, "-c", SWEPT, *arguments]) as child:
             while len(list(store.glob(started))) < before + 5 and child.poll() is None:
                 time.sleep(0.001)
             kills += child.poll() is None
             child.kill()
     ends = peelkit.read_sweep(store).end.values
     assert kills > 0 and 0 < (ends != "").sum() < 200
-    varied = {"strip.length": np.linspace(90, 110, 200)}
+    varied = {kind.key: np.linspace(*kind.many, 200)}
     assert_same(peelkit.sweep(scene, varied, store=store), peelkit.sweep(scene, varied))
 
 

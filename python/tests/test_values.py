@@ -66,7 +66,7 @@ def test_a_scene_of_tables_is_that_of_its_text(strip: peelkit.Scene) -> None:
 
 def test_lists_and_nested_tables_are_written(strip: peelkit.Scene) -> None:
     fit = strip.with_("fit.parameters", ["strip.youngs_modulus from 1 GPa to 5 GPa"])
-    assert "from 1 GPa to 5 GPa" in fit.to_toml()
+    assert '{ from = "1 GPa", key = "strip.youngs_modulus", to = "5 GPa" }' in fit.to_toml()
     height = {"key": "strip.height", "from": 5.0 * units.nm, "to": "12 nm"}
     free = strip.with_(
         {"optimise.objective": "peak.force_nN", "optimise.parameters": [height], "optimise.starts": np.int64(3)}
@@ -87,3 +87,29 @@ def test_a_table_is_looked_for_beside_the_scene(tmp_path: Path) -> None:
     scene = peelkit.Scene.read(path)
     assert "s_nm" in scene.to_toml()
     assert scene.with_("profile.youngs_modulus", "3 GPa") != scene
+
+
+SCENES = Path(__file__).parents[2] / "scenes"
+
+
+@pytest.mark.parametrize("path", sorted(SCENES.rglob("*.toml")), ids=lambda path: path.stem)
+def test_a_scene_is_its_dictionary(path: Path) -> None:
+    scene = peelkit.Scene.read(path)
+    found = scene.to_dict()
+    assert peelkit.Scene(**found) == scene
+    # it is the caller's
+    found.clear()
+    assert scene.to_dict()
+
+
+def test_a_key_of_a_scene_is_a_number_in_its_usual_unit(strip: peelkit.Scene) -> None:
+    assert (strip["strip.length"], strip["strip.youngs_modulus"], strip["drive.angle"]) == (100.0, 2.0, 90.0)
+    assert strip.with_("drive.angle", 60)["drive.angle"] == 60.0
+    assert (strip["title"], strip["grip.rotation"], strip["space"]) == ("Strip", "free", False)
+    points = strip["bounds.points"]
+    assert isinstance(points, int) and points > 0
+    for key in ("strip.length", "drive.angle", "adhesion.hamaker_constant", "accuracy.relative", "grip.rotation"):
+        assert strip.with_(key, strip[key]) == strip
+    for key in ("strip.lenght", "seta.forks", "bounds.displacement"):
+        with pytest.raises(KeyError, match=key):
+            strip[key]

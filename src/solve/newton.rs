@@ -328,7 +328,7 @@ pub fn slopes(
 pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].
-pub(in crate::solve) const FINE: f64 = 1e-12;
+pub const FINE: f64 = 1e-12;
 
 /// The solution on half as many elements again with the same `weights` · observables.
 pub fn on_more_elements(

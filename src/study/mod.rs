@@ -80,6 +80,7 @@ pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
 pub use seta::standing::SetaBranch;
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::beam_state::{BeamState, StateSections};
+pub use states::station::{MissedStation, Station, StationAt, StationErrors, StationQuantity, Stations};
 pub use terms::effects::TermEffect;
 pub use terms::term_selection::{checked, peel, peel_on};
 pub use terms::warnings::{Warning, WarningKind};

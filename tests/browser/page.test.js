@@ -136,6 +136,21 @@ on('the sweep fills in, with the numbers of the command', async (page) => {
   assert.ok(points.every(({ x }, index) => index === 0 || x > points[index - 1].x));
 });
 
+on('the sweep goes over another key', async (page) => {
+  await page.selectOption('#sweep-key', 'strip.height');
+  await put(page, '#sweep-from', '8', 'change');
+  await put(page, '#sweep-to', '12', 'change');
+  await page.waitForFunction(() => document.getElementById('sweep-text').textContent.startsWith('33 runs'), null, { timeout: 120_000 });
+  const { data, title } = await page.evaluate(() => {
+    const chart = Chart.getChart('sweep-chart');
+    return { data: chart.data.datasets.find(({ label }) => label === 'peak').data, title: chart.options.scales.x.title.text };
+  });
+  assert.deepEqual([data.length, data[0].x, data.at(-1).x, title], [33, 8, 12, 'height h of the section (nm)']);
+  assert.equal(data[0].y, run('strip.height=8 nm').peak.force_nN);
+  const keys = await page.locator('#sweep-key option').evaluateAll((options) => options.map(({ value }) => value));
+  assert.ok(['strip.length', 'adhesion.hamaker_constant', 'drive.angle', 'accuracy.relative'].every((key) => keys.includes(key)), keys.join());
+});
+
 on('a wrong value is told in a sentence, and the page goes on', async (page, mistakes) => {
   await put(page, '[aria-label^="height h of the section, as a number"]', '-3', 'change');
   await page.waitForFunction(() => document.getElementById('problem').textContent);
@@ -261,6 +276,45 @@ for (const [title, name] of [['Strip on wavy ground', 'Peeling of a strip from a
     assert.notEqual(await page.locator('#beam .outline').getAttribute('points'), null);
   });
 }
+
+/** Takes one of the scenes that the page offers. */
+async function take(page, label, title) {
+  await page.selectOption('#scenes', { label });
+  await page.waitForFunction((title) => document.getElementById('title').textContent === title, title, { timeout: 120_000 });
+  await settled(page);
+}
+
+const scene = (name) => JSON.parse(execFileSync(PEEL, ['run', `scenes/${name}.toml`, '--json'], { cwd: ROOT }));
+
+on('a seta is drawn, with the numbers of the command', async (page) => {
+  await take(page, 'Seta', 'Pull-off of a seta with 256 spatulae');
+  const { peak } = scene('seta');
+  assert.deepEqual(await numbersOf(page, 'Peak'), [written(peak.displacement_nm / 1000), written(peak.force_nN)]);
+  assert.match(await page.locator('#results thead').innerText(), /u \(µm\)\s+P \(nN\)/);
+  assert.match(await page.locator('#sentence').innerText(), /239 of 256 tips adhere/);
+  await put(page, '#place', '0');
+  assert.equal(await page.locator('#beam .branch').count(), 511);
+  assert.equal(await page.locator('#beam .branch.detached').count(), 0);
+  await put(page, '#place', await page.locator('#place').getAttribute('max'));
+  assert.equal(await page.locator('#beam .branch.detached').count(), 511);
+});
+
+on('a pull at a rate is drawn beside its equilibria, with the numbers of the command', async (page) => {
+  await take(page, 'Strip at a rate', 'Peeling of a strip of 100 nm at 1 mm/s');
+  const { largest_force, equilibria_peak } = scene('strip-at-a-rate');
+  assert.deepEqual(await numbersOf(page, 'Largest force'), [written(largest_force.displacement_nm), written(largest_force.force_nN)]);
+  assert.equal((await numbersOf(page, 'Peak of the equilibria'))[1], written(equilibria_peak.force_nN));
+  const drawn = await page.evaluate(() => Chart.getChart('curve-chart').data.datasets.map(({ label, data }) => [label, data.length]));
+  assert.ok(drawn.some(([label, length]) => label === 'equilibria' && length > 50), drawn.join());
+  assert.ok(await page.locator('#beam').isHidden(), 'no shape is known');
+});
+
+on('a tape has the units of a tape', async (page) => {
+  await take(page, 'Adhesive tape', 'Peeling of a tape');
+  const titles = await page.evaluate(() => Object.values(Chart.getChart('curve-chart').options.scales).map((axis) => axis.title.text));
+  assert.deepEqual(titles, ['displacement u (mm)', 'force P (N)']);
+  assert.match(await page.locator('#place-text').innerText(), /^u = [\d.]+ mm, P = [\d.]+ N,/);
+});
 
 // Printed and not asserted: other work on the machine changes it.
 on('how long a drag waits for its curve', async (page) => {

@@ -25,6 +25,7 @@ mod seta_resume;
 #[cfg(unix)]
 mod seta_table;
 mod space;
+mod stations;
 mod statuses;
 mod steps;
 #[path = "../shared/strip.rs"]

@@ -102,3 +102,25 @@ fn a_path_is_followed_until_what_a_scene_says() {
     let error = Scene::parse_any("a.toml", crate::text::SETA, &set("path.until", "detachment")).unwrap_err();
     assert_says(&error.to_string(), &["`path.until` is given, and the scene has a [seta]"]);
 }
+
+#[test]
+fn stations_are_refused_by_what_is_wrong_with_them() {
+    let stations = |value: &str| shown(MINIMAL, &set("output.stations", value));
+    assert_says(&stations("\"10 nm\""), &["is \"10 nm\", no table"]);
+    assert_says(&stations("{ u = \"10 nm\" }"), &["has \"u\", which is none of `displacement`, `force`"]);
+    assert_says(
+        &stations("{ force = \"10 nm\" }"),
+        &["`force` = \"10 nm\", which is not a force with its unit, as \"30 nN\""],
+    );
+    assert_says(&stations("{ front = 10 }"), &["has `front` = 10, no text with a number and its unit"]);
+    assert_says(&stations("{ end_rotation = [\"30\"] }"), &["not an angle with its unit, as \"30 deg\""]);
+    assert_says(&stations("{ displacement = \"1e300 m\" }"), &["which is not a length"]);
+    let many = format!("{{ displacement = [{}] }}", "\"1 nm\", ".repeat(1001));
+    assert_says(&stations(&many), &["has 1001 values, and a path has at most 1000 stations"]);
+    let asked = set("output.stations", "{ displacement = \"10 nm\" }");
+    let rate = format!("{MINIMAL}[time]\nrate = \"1 mm/s\"\ndensity = \"1300 kg/m3\"\n");
+    let error = Scene::parse_any("a.toml", &rate, &asked).unwrap_err();
+    assert_says(&error.to_string(), &["the scene has `output.stations`, which is not followed in time"]);
+    let error = Scene::parse_any("a.toml", crate::text::SETA, &asked).unwrap_err();
+    assert_says(&error.to_string(), &["`output.stations` is given, and the scene has a [seta]"]);
+}

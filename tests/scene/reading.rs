@@ -9,7 +9,7 @@ use peelkit::beam::Material;
 use peelkit::model::{
     Attraction, Body, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step, Transition,
 };
-use peelkit::study::{FollowedUntil, Terms};
+use peelkit::study::{FollowedUntil, StationAt, StationQuantity, Terms};
 use peelkit_scene::{KEYS, Key, Scene};
 
 #[test]
@@ -73,6 +73,8 @@ elements = 30
 step = 0.05
 [path]
 until = "detachment"
+[output]
+stations = { displacement = ["10 nm", "0.02 um"], end_rotation = "30 deg" }
 [bounds]
 points = 50
 time = "2 min"
@@ -98,6 +100,10 @@ displacement = "0.5 um"
     assert_eq!((choice.order, choice.elements, choice.step), (Some(5), Some(30), Some(0.05)));
     assert_eq!((scene.bounds.points, scene.bounds.time_s, scene.bounds.displacement), (50, Some(120.0), Some(500.0)));
     assert_eq!(scene.bounds.until, FollowedUntil::Detachment);
+    let at = |quantity, value| StationAt { quantity, value };
+    let moved = [10.0, 20.0].map(|value| at(StationQuantity::Displacement, value));
+    let turned = at(StationQuantity::EndRotation, 30f64.to_radians());
+    assert_eq!(scene.stations, [&moved[..], &[turned]].concat());
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });

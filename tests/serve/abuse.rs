@@ -73,6 +73,25 @@ fn a_huge_request_is_refused_with_the_limit() {
     assert!(server.is_alive());
 }
 
+/// A head of a mebibyte, and one of a thousand lines.
+#[test]
+fn a_huge_head_is_refused() {
+    let server = Running::usual();
+    let host = format!("GET / HTTP/1.1\r\nHost: {}\r\n", server.address);
+    for lines in [format!("X: {}\r\n", "x".repeat(1 << 20)), "X: x\r\n".repeat(1000)] {
+        let mut stream = server.connect();
+        // what is beyond the limit is not read
+        let sent = format!("{host}{lines}\r\n");
+        let _ = stream.write_all(&sent.as_bytes()[..sent.len().min(100_000)]);
+        let reply = read(&mut stream);
+        assert!(matches!(reply.status, 0 | 431), "{}: {}", reply.status, reply.head);
+    }
+    // one that has been read whole when it is refused
+    let reply = server.raw(format!("{host}{}\r\n", "X: x\r\n".repeat(150)).as_bytes());
+    assert_eq!(reply.status, 431);
+    assert!(server.is_alive());
+}
+
 /// Heads that never end: each makes room for the next, and a page that comes after them is answered.
 #[test]
 fn a_thousand_connections_that_never_finish_leave_room_for_a_page() {

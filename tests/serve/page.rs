@@ -4,7 +4,7 @@ use crate::client::Running;
 use peelkit_scene::Scene;
 use peelkit_serve::READY;
 
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "/",
     "/style.css",
     "/main.js",
@@ -13,6 +13,7 @@ const FILES: [&str; 11] = [
     "/curve.js",
     "/beam.js",
     "/sweep.js",
+    "/units.js",
     "/results.js",
     "/link.js",
     "/chart.js",

@@ -2,8 +2,9 @@
 
 use crate::client::{Running, STRIP, read};
 use peelkit::study;
+use peelkit_analyses::{Analysis, Asked, Outcome, Run, Session};
 use peelkit_scene::Scene;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::io::Write;
 use std::time::Duration;
 
@@ -93,4 +94,47 @@ fn a_server_that_ends_answers_who_waits() {
     let reply = read(&mut waiting);
     assert_eq!(reply.status, 503, "{reply:?}");
     assert_eq!(reply.json()["error"], "the server is ending");
+}
+
+/// A seta of 16 tips, a strip at a rate and a seta at a rate: the summary of the command but for its clock, the curve that leads through its largest
+/// force, and the same table as the command writes.
+#[test]
+fn setae_and_pulls_at_a_rate_are_those_of_the_command() {
+    let server = Running::usual();
+    for (kind, text, set) in [
+        ("seta", include_str!("../../scenes/seta.toml"), vec![["seta.forks", "4"]]),
+        ("rate", include_str!("../../scenes/strip-at-a-rate.toml"), vec![]),
+        ("rate", include_str!("../../scenes/seta-at-a-rate.toml"), vec![]),
+    ] {
+        let overrides: Vec<_> = set.iter().map(|[key, value]| (key.to_string(), value.to_string())).collect();
+        let scene = Scene::parse_any("s", text, &overrides).unwrap();
+        let outcome = Run::of(&scene, Asked::default()).unwrap().run(&Session::PLAIN).unwrap();
+        let mut wanted: Value = serde_json::from_str(&outcome.json(&scene, None).unwrap()).unwrap();
+        let asked = json!({"name": "s", "scene": text, "set": set, "parts": ["curve", "poses", "controls", "test"]});
+        let reply = server.post("/api/peel", &asked);
+        assert_eq!(reply.status, 200, "{}", reply.body);
+        let mut answer = reply.json();
+        for summary in [&mut wanted, &mut answer["summary"]] {
+            assert!(summary.as_object_mut().unwrap().remove("timing").is_some());
+        }
+        assert_eq!((&answer["summary"], &answer["kind"]), (&wanted, &json!(kind)));
+        let peak = if kind == "seta" { &wanted["peak"] } else { &wanted["largest_force"] };
+        let forces = answer["curve"]["force_nN"].as_array().unwrap();
+        let largest = forces.iter().map(number).fold(0.0, f64::max);
+        assert!((largest / number(&peak["force_nN"]) - 1.0).abs() < 1e-3, "{largest}: {peak}");
+        let along = answer["poses"]["along"].as_array().unwrap();
+        let has_shapes = along.iter().all(|pose| pose["branches"].as_array().is_some_and(|all| all.len() == 31));
+        assert_eq!((has_shapes, answer["curve"]["equilibria"].is_object()), (kind == "seta", kind == "rate"));
+        assert!(
+            answer["controls"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .any(|control| control["key"] == "spatula.pad_length" || control["key"] == "time.rate")
+        );
+        let table = server.post("/api/file", &json!({"name": "s", "scene": text, "set": set, "file": "curve.csv"}));
+        let folder = tempfile::tempdir().unwrap();
+        outcome.write(&scene, folder.path(), "peel").unwrap();
+        assert_eq!(table.body, std::fs::read_to_string(folder.path().join("curve.csv")).unwrap());
+    }
 }

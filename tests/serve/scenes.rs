@@ -39,6 +39,10 @@ fn no_file_is_read() {
         let (error, _) = refused(&server, scene, set);
         assert!(error.ends_with(&format!("`{key}` names a file, and this scene is read without files")), "{error}");
     }
+    let seta = include_str!("../../scenes/seta.toml");
+    let (error, remedy) = refused(&server, seta, json!([["seta.tip_law", "table"], ["seta.tip_table", "/etc"]]));
+    assert!(error.ends_with("`seta.tip_table` names a folder, and this scene is read without files"), "{error}");
+    assert_eq!(remedy, "Remove `tip_table`: the run computes the table.");
     let reply = server.post("/api/peel", &json!({"name": "s", "scene": inline}));
     assert_eq!(reply.status, 200, "a table in the text is none: {}", reply.body);
 }

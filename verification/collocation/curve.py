@@ -38,3 +38,19 @@ def held(path, u):
     share = (u - us[i]) / (us[i + 1] - us[i])
     near = path.points[i] if share < 1e-9 else solution(path, (1.0 - share) * path.labels[i] + share * path.labels[i + 1])
     return resolved(s, near, lambda st: s.held(st, u), *path.fine)
+
+
+def passings(path, of, value, corrected):
+    """Every solution of a path at which of(state) has a value, in path order, on meshes that resolve them.
+
+    corrected(s, state) is the equilibrium next to a state at which it has the value.
+    """
+    s = path.s
+    above = [of(s, st) - value for st in path.points]
+    found = []
+    for i, (a, b) in enumerate(zip(above, above[1:])):
+        if (a >= 0.0) != (b >= 0.0):
+            share = a / (a - b)
+            near = solution(path, (1.0 - share) * path.labels[i] + share * path.labels[i + 1])
+            found.append(resolved(s, near, lambda st: corrected(s, st), *path.fine))
+    return found

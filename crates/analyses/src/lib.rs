@@ -26,5 +26,5 @@ pub use run::{
     Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
 };
 pub use session::{Cost, Keeping, Nobody, Parts, Progress, Session, Watcher};
-pub use sweep::{Axis, Case, Cases, Rows, Sweep, SweepOutcome, place};
+pub use sweep::{Axis, Case, Cases, Rows, SceneRows, Sweep, SweepOutcome, place};
 pub use uncertainty::{Uncertainty, UncertaintyOutcome};

@@ -58,21 +58,18 @@ Examples:
 
 /// Of `peel run -h`.
 pub const RUN: &str = "\
-Example: peel run strip.toml --set strip.length=\"50 nm\" --out short
-More: peel run --help, on files, ends of a path, resuming; peel keys, the keys of a scene";
+Example: peel run strip.toml --at u=\"10 nm\" --out short   (more: peel run --help, peel keys)";
 
 /// Of `peel run --help`.
 pub fn run() -> String {
     format!(
         "\
 Examples:
-  peel run strip.toml
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
   peel run strip.toml --set grip.rotation=fixed --json
-  peel run strip.toml --animate
-  peel run strip.toml --out-of-plane
+  peel run strip.toml --at u=\"10 nm\" --at P=\"0.04 nN\"
+  peel run strip.toml --animate --sensitivities
   peel run strip.toml --branch
-  peel run strip.toml --sensitivities
   peel run strip.toml --set grip.rotation=fixed --set grip.stiffness=\"0.05 N/m\" --observed
 
 Files:
@@ -81,6 +78,7 @@ Files:
                      groups), version and command. A peak is a located limit point or null; then largest_computed_force
                      has no bound
   curve.csv          one row for each point of the path; with --out-of-plane its stability out of the plane
+  stations.csv       with --at: one row for each equilibrium at a value that was asked for
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement

@@ -31,7 +31,7 @@ impl SceneArgs {
 
     /// Reads the scene, which may have a seta or be pulled at a rate.
     pub fn load_any(&self) -> Result<Scene, Stop> {
-        read(&self.path, |name, text| Scene::parse_any(name, text, &self.overrides))
+        read_any_scene(&self.path, &self.overrides)
     }
 
     /// Where the outputs go when the user does not say; `parts` are what a command adds to the name.
@@ -43,6 +43,11 @@ impl SceneArgs {
 /// Reads a scene of a peel.
 pub fn read_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, Stop> {
     read(path, |name, text| Scene::parse(name, text, overrides))
+}
+
+/// Reads a scene, which may have a seta or be pulled at a rate.
+pub fn read_any_scene(path: &Path, overrides: &[(String, String)]) -> Result<Scene, Stop> {
+    read(path, |name, text| Scene::parse_any(name, text, overrides))
 }
 
 fn read(path: &Path, parse: impl FnOnce(&str, &str) -> Result<Scene, SceneError>) -> Result<Scene, Stop> {

@@ -11,14 +11,10 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub struct OutArgs {
     /// Folder for the outputs [default: in out/, named after what is asked]
-    ///
-    /// It is created if missing.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 
-    /// Writes to a folder that is not empty
-    ///
-    /// Files of the same names are replaced, all others stay.
+    /// Writes to a folder that is not empty; its other files stay
     #[arg(long)]
     pub force: bool,
 }

@@ -5,12 +5,13 @@ use super::input::SceneArgs;
 use super::output::OutArgs;
 use super::progress::Bar;
 use super::stop::Stop;
+use super::text_summary::peel::Beside;
 use super::text_summary::rate::LawOfTips;
 use super::text_summary::units::{UnitsArgs, WantedUnits};
 use super::{help, text_summary};
 use clap::Args;
 use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, station};
 use std::path::PathBuf;
 
 /// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
@@ -22,6 +23,12 @@ pub struct Run {
 
     #[command(flatten)]
     out: OutArgs,
+
+    /// Computes the path at an exact value besides, u="10 nm" say
+    ///
+    /// Of `u` (displacement), `P` (force), `front` or `end_rotation`; may be repeated. Adds stations.csv.
+    #[arg(long, value_name = "QUANTITY=VALUE")]
+    at: Vec<String>,
 
     /// Adds a displacement-controlled test: stable branches and jumps
     ///
@@ -35,9 +42,9 @@ pub struct Run {
     #[arg(long)]
     out_of_plane: bool,
 
-    /// Follows the branch that leaves the plane in space; implies --out-of-plane
+    /// Follows the branch that leaves the plane in space
     ///
-    /// To one side: the other is its mirror image. Adds branch.csv, and the branch to summary.json and curve.svg.
+    /// Implies --out-of-plane. To one side: the other is its mirror image. Adds branch.csv.
     #[arg(long)]
     branch: bool,
 
@@ -84,7 +91,8 @@ impl Run {
             (self.branch, "branch"),
             (self.sensitivities, "sensitivities"),
         ];
-        asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).collect()
+        let at = self.at.iter().map(|at| format!("at={at}"));
+        asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).chain(at).collect()
     }
 
     fn asked(&self) -> Asked {
@@ -96,6 +104,21 @@ impl Run {
             states: self.states,
             animate: self.animate,
         }
+    }
+
+    /// Adds the stations of the command line to those of the scene.
+    fn add_stations(&self, scene: &mut Scene) -> Result<(), Stop> {
+        if !self.at.is_empty() && (scene.seta.is_some() || scene.time.is_some()) {
+            return Err(Stop::bad_input(
+                "--at is given, and the scene has a [seta] or a [time]: stations are those of a path of equilibria of a beam",
+                "Omit --at.",
+            ));
+        }
+        for text in &self.at {
+            let at = station(text).map_err(|why| Stop::bad_input(format!("--at {}", why.found), why.remedy))?;
+            scene.stations.push(at);
+        }
+        Ok(())
     }
 
     fn refuse_states_without_files(&self) -> Result<(), Stop> {
@@ -110,7 +133,9 @@ impl Run {
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
-    let scene = args.scene.load_any()?;
+    let mut scene = args.scene.load_any()?;
+    args.add_stations(&mut scene)?;
+    let scene = scene;
     args.refuse_states_without_files()?;
     let analysis = Analysis::of(&scene, args.asked()).map_err(|why| Stop::refused(&scene, why))?;
     let wanted = args.units.wanted()?;
@@ -133,7 +158,8 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 
 fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
     let [.., test_s] = found.beside_s;
-    let beside = (found.stability.as_ref(), found.branch.as_ref());
+    let beside =
+        Beside { stability: found.stability.as_ref(), branch: found.branch.as_ref(), stations: &found.stations };
     let mut text = text_summary::peel::peel(scene, &found.peel, beside, found.seconds, wanted);
     if let Some(test) = &found.test {
         text += &format!("\n{}", text_summary::observed::observed(test, test_s, wanted));

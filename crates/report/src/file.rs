@@ -1,4 +1,4 @@
-//! Writing a file so that nobody ever finds it half-written.
+//! Writing a file so that nobody ever finds it half-written, and reading one that may be anything.
 
 use super::error::ReportError;
 use std::fs;
@@ -21,6 +21,18 @@ pub(crate) fn replace(path: &Path, content: &[u8]) -> io::Result<()> {
         fs::create_dir_all(dir).and_then(|()| fs::write(&part, content)).and_then(|()| fs::rename(&part, path));
     // The error is reported; what a failed attempt may leave behind is not worth a second one.
     written.inspect_err(|_| drop(fs::remove_file(&part)))
+}
+
+/// Largest file of a user that is read, bytes.
+const LARGEST: u64 = 64 << 20;
+
+/// Reads a file that a user names. What is no file, as a pipe or a device, and what is larger than 64 MiB is refused before it is opened.
+pub(crate) fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    let metadata = fs::metadata(path)?;
+    if !metadata.is_file() || metadata.len() > LARGEST {
+        return Err(io::Error::other(format!("it is no file of at most {LARGEST} bytes")));
+    }
+    fs::read(path)
 }
 
 /// Removes a file, if it is there.

@@ -67,7 +67,9 @@ pub use records::fit::{FitSummary, write_fit};
 pub use records::model::{ground_warning, why_kept};
 pub use records::observed::{ObservedSummary, write_observed};
 pub use records::optimisation::{OptimisationSummary, Optimised, write_history};
-pub use records::path::{GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points};
+pub use records::path::{
+    GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points, write_stations,
+};
 pub use records::peel::{PeelFound, PeelSummary, left_out};
 pub use records::summary::{Found, SCHEMA, Summary, VERSION};
 pub use records::sweep::{Sweep, SweepLine, SweepSummary, work_to, write_followed, write_sweep};

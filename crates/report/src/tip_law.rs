@@ -1,6 +1,7 @@
 //! The law of a tip, read back from the folder that `peel coarsen` has written.
 
 use super::error::ReportError;
+use super::file::read_whole;
 use super::records::parameters::parameters;
 use super::records::tip::{pad_end_word, sheet_word};
 use peelkit::study::coarsening::{
@@ -36,10 +37,11 @@ struct Row {
 pub fn read_tip_law(dir: &Path) -> Result<TipTable, ReportError> {
     let summary = dir.join("summary.json");
     let none = |path: &Path, reason: String| ReportError::NoTipLaw { path: path.to_path_buf(), reason };
-    let text = std::fs::read(&summary).map_err(|error| none(&summary, error.to_string()))?;
+    let text = read_whole(&summary).map_err(|error| none(&summary, error.to_string()))?;
     let value: Value = serde_json::from_slice(&text).map_err(|error| none(&summary, error.to_string()))?;
     let nodes = dir.join("tip_law.csv");
-    let mut reader = csv::Reader::from_path(&nodes).map_err(|error| none(&nodes, error.to_string()))?;
+    let text = read_whole(&nodes).map_err(|error| none(&nodes, error.to_string()))?;
+    let mut reader = csv::Reader::from_reader(text.as_slice());
     let rows: Result<Vec<Row>, _> = reader.deserialize().collect();
     let rows = rows.map_err(|error| none(&nodes, error.to_string()))?;
     let sheet = |on: TipSheet| {
@@ -59,7 +61,7 @@ pub fn read_tip_law_of(dir: &Path, scene: &Scene, tolerance: f64) -> Result<TipT
     let table = read_tip_law(dir)?;
     let path = dir.join("summary.json");
     let none = |reason: String| ReportError::NoTipLaw { path: path.clone(), reason };
-    let text = std::fs::read(&path).map_err(|error| none(error.to_string()))?;
+    let text = read_whole(&path).map_err(|error| none(error.to_string()))?;
     let written: Value = serde_json::from_slice(&text).map_err(|error| none(error.to_string()))?;
     let wanted = serde_json::to_value(parameters(scene)).map_err(|error| none(error.to_string()))?;
     let other = |key: String, found: String, wanted: String| {

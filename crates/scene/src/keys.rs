@@ -5,11 +5,11 @@ use crate::error::ValueError;
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
-    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, OPTIMISE, PATH, PROFILE, SETA, SPATULA, STRIP, SUBSTRATE,
-    TIME, TOP, Table, UNCERTAINTY,
+    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, OPTIMISE, OUTPUT, PATH, PROFILE, SETA, SPATULA, STRIP,
+    SUBSTRATE, TIME, TOP, Table, UNCERTAINTY,
 };
 use crate::scene::Scene;
-use crate::tables::{fit, optimise, rate, seta, uncertainty};
+use crate::tables::{fit, optimise, output, rate, seta, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -222,6 +222,8 @@ pub static KEYS: &[Key] = &[
     share(&ACCURACY, "step", Optional, |s| &mut s.accuracy.choice.step, "predictor tolerance over the equilibrium gap").titled("predictor tolerance over the equilibrium gap", ""),
 
     key(&PATH, "until", Optional, Kind::Until(|s| &mut s.bounds.until), "as far as what the path is followed"),
+
+    key(&OUTPUT, "stations", Optional, Kind::Setting(&output::STATIONS), "exact values at which the path is computed besides"),
 
     key(&BOUNDS, "points", Optional, Kind::Count(1_000_000_000, |s| &mut s.bounds.points), "largest number of points of a path").titled("largest number of points of the path", ""),
     key(&BOUNDS, "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path").titled("longest time for a path", ""),

@@ -35,6 +35,7 @@ pub use scene::studies::{
 pub use scene::{Scene, TableTexts};
 pub use schema::schema;
 pub use studies::parameters::Parameters;
+pub use tables::output::station;
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};

@@ -1,6 +1,8 @@
-// The beam at one place of its path, over the ground, in SVG.
+// The beam at one place of its path, or the seta, over the ground, in SVG.
 
 const MARGIN = 0.06;
+/** The thinnest branch of a seta, over the extent of the picture. */
+const THINNEST = 1 / 600;
 const svg = document.getElementById('beam');
 
 function element(name, attributes) {
@@ -11,39 +13,50 @@ function element(name, attributes) {
 
 const ground = element('polygon', { class: 'ground' });
 const outline = element('polygon', { class: 'outline' });
-svg.append(ground, outline);
+const seta = element('g', { class: 'seta' });
+svg.append(ground, seta, outline);
+let thinnest = 1;
 
-/** Makes room for all places of a path; the y axis of SVG points down. */
+/** x and y in turn, as SVG has them: its y axis points down. */
+function corners(places) {
+  const texts = [];
+  for (let k = 0; k < places.length; k += 2) texts.push(`${places[k]},${-places[k + 1]}`);
+  return texts;
+}
+
+/** Makes room for all places of a path. Nothing is drawn of a run whose shapes are not known. */
 export function prepare(poses) {
-  if (poses.along.length === 0) {
-    svg.hidden = true;
-    return;
-  }
-  svg.hidden = false;
   let [left, right, bottom, top] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (const { outline } of poses.along) {
-    for (let k = 0; k < outline.length; k += 2) {
-      left = Math.min(left, outline[k]);
-      right = Math.max(right, outline[k]);
-      bottom = Math.min(bottom, outline[k + 1]);
-      top = Math.max(top, outline[k + 1]);
+  for (const { outline, branches = [] } of poses.along) {
+    for (const places of [outline, ...branches.map(({ line }) => line)]) {
+      for (let k = 0; k < places.length; k += 2) {
+        left = Math.min(left, places[k]);
+        right = Math.max(right, places[k]);
+        bottom = Math.min(bottom, places[k + 1]);
+        top = Math.max(top, places[k + 1]);
+      }
     }
   }
+  const isShown = left <= right;
+  document.getElementById('shape').hidden = !isShown;
+  if (!isShown) return;
   const extent = Math.max(right - left, top - bottom);
   const margin = MARGIN * extent;
   const below = bottom - 2 * margin;
+  thinnest = THINNEST * extent;
   svg.setAttribute('viewBox', `${left - margin} ${-top - margin} ${right - left + 2 * margin} ${top - below + margin}`);
   const surface = poses.ground;
-  const corners = [];
-  for (let k = 0; k < surface.length; k += 2) corners.push(`${surface[k]},${-surface[k + 1]}`);
-  corners.push(`${surface.at(-2)},${-below + extent}`, `${surface[0]},${-below + extent}`);
-  ground.setAttribute('points', corners.join(' '));
+  const around = [...corners(surface), `${surface.at(-2)},${-below + extent}`, `${surface[0]},${-below + extent}`];
+  ground.setAttribute('points', around.join(' '));
 }
 
-/** Draws the beam at one place. */
+/** Draws the beam, or the seta, at one place. */
 export function draw(pose) {
-  const corners = [];
-  for (let k = 0; k < pose.outline.length; k += 2) corners.push(`${pose.outline[k]},${-pose.outline[k + 1]}`);
-  outline.setAttribute('points', corners.join(' '));
+  outline.setAttribute('points', corners(pose.outline).join(' '));
   outline.setAttribute('class', pose.unstable ? 'outline unstable' : 'outline');
+  seta.replaceChildren(...(pose.branches ?? []).map(({ line, diameter, attached }) => element('polyline', {
+    class: attached ? 'branch' : 'branch detached',
+    points: corners(line).join(' '),
+    'stroke-width': Math.max(diameter, thinnest),
+  })));
 }

@@ -4,6 +4,7 @@
 const FIRST = [
   'strip.length', 'strip.height', 'strip.youngs_modulus', 'strip.bending_stiffness_factor',
   'spatula.pad_length', 'spatula.pad_thickness', 'spatula.shaft_angle', 'spatula.youngs_modulus', 'spatula.bending_stiffness_factor',
+  'seta.shaft_length', 'seta.shaft_angle', 'seta.brush_height', 'seta.diameter_ratio', 'time.rate',
   'adhesion.hamaker_constant', 'adhesion.equilibrium_distance', 'adhesion.work', 'adhesion.strength', 'adhesion.law', 'adhesion.line_load',
   'drive.angle', 'grip.rotation',
   'substrate.shape', 'substrate.height', 'substrate.wavelength', 'substrate.radius', 'substrate.offset',

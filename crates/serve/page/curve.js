@@ -1,6 +1,7 @@
 // Force against displacement: the curve, its limit points, Kendall's force, jumps, kept curves and the place that is dragged along it.
 
-import { shown } from './results.js';
+import { highest, inUnit, marks } from './results.js';
+import { nameAxis } from './units.js';
 
 const COLOUR = { stable: '#0072b2', unstable: '#c04f00', limit: '#1a1a1a', kendall: '#595959', jump: '#8f3f71', place: '#1a1a1a' };
 /** Of kept curves. */
@@ -13,20 +14,6 @@ export function textSize() {
 
 const line = (label, borderColor, more) => ({ label, data: [], borderColor, backgroundColor: borderColor, showLine: true, pointStyle: 'line', pointRadius: 0, pointHitRadius: 0, ...more });
 const points = (label, colour, more) => ({ label, data: [], borderColor: colour, backgroundColor: colour, showLine: false, pointRadius: 5, ...more });
-
-/** Units of a length and of a force, each a thousand times the one before it. */
-const UNITS = { nm: ['pm', 'nm', 'µm', 'mm', 'm', 'km'], nN: ['pN', 'nN', 'µN', 'mN', 'N', 'kN'] };
-
-/** Names the unit that fits the largest value of an axis, its own from 0.1 to 1000, and writes the ticks in it. */
-export function fitAxis(axis, words, base, largest) {
-  const units = UNITS[base];
-  const own = units.indexOf(base);
-  const fits = !(largest > 0) || (largest >= 0.1 && largest < 1000);
-  const index = fits ? own : Math.min(units.length - 1, Math.max(0, own + Math.floor(Math.log10(largest) / 3 + 1e-9)));
-  const factor = 1000 ** (index - own);
-  axis.title.text = `${words} (${units[index]})`;
-  axis.ticks.callback = (value) => String(Number((value / factor).toPrecision(6)));
-}
 
 /** Puts the text of the page, its size and its colour, into the charts that are drawn from now on. */
 export function takeText() {
@@ -54,8 +41,11 @@ export class CurveChart {
       jumps: line('jumps of a test', COLOUR.jump, { borderDash: [2, 4], borderWidth: 2, pointRadius: [], order: 2 }),
       stable: line('stable', COLOUR.stable, { borderWidth: 3, order: 1 }),
       unstable: line('unstable under displacement control', COLOUR.unstable, { borderWidth: 3, borderDash: [8, 5], order: 1 }),
+      equilibria: line('equilibria', COLOUR.limit, { borderWidth: 1.5, borderDash: [6, 4], order: 2 }),
       kendall: line('Kendall’s force', COLOUR.kendall, { borderWidth: 1.5, borderDash: [12, 4, 2, 4], order: 3 }),
     };
+    // what is not there is not explained
+    const isNamed = ({ text, datasetIndex }, { datasets }) => text !== 'place' && datasets[datasetIndex].data.length > 0;
     takeText();
     this.chart = new Chart(canvas, {
       type: 'scatter',
@@ -67,8 +57,8 @@ export class CurveChart {
           y: { title: { display: true, text: 'force P (nN)' } },
         },
         plugins: {
-          legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 30, generateLabels: dashedLabels, filter: (item) => item.text !== 'place' } },
-          tooltip: { filter: ({ dataset }) => dataset.label === 'limit points', callbacks: { label: (item) => item.raw.text } },
+          legend: { position: 'bottom', labels: { usePointStyle: true, pointStyleWidth: 30, generateLabels: dashedLabels, filter: isNamed } },
+          tooltip: { filter: ({ dataset }) => dataset === this.own.limits, callbacks: { label: (item) => item.raw.text } },
         },
       },
     });
@@ -82,7 +72,7 @@ export class CurveChart {
   }
 
   /** The curve of a run. */
-  show({ summary, curve, poses }) {
+  show({ summary, curve, poses }, units) {
     const { displacement_nm: u, force_nN: p, unstable } = curve;
     const part = (wanted) => u.map((x, k) => {
       // neighbours share their end points
@@ -91,12 +81,12 @@ export class CurveChart {
     });
     this.own.stable.data = part(false);
     this.own.unstable.data = unstable.includes(true) ? part(true) : [];
-    this.own.limits.data = summary.limit_points.map((at) => ({
-      x: at.displacement_nm,
-      y: at.force_nN,
-      text: `${at.kind} limit point: u = ${shown(at.displacement_nm)} ± ${at.error_nm.toExponential(0)} nm, P = ${shown(at.force_nN)} ± ${at.error_nN.toExponential(0)} nN`,
-    }));
-    const kendall = summary.derived.kendall_force_nN;
+    this.own.limits.label = summary.limit_points ? 'limit points' : 'results';
+    this.own.limits.data = marks(summary, units);
+    const slow = curve.equilibria;
+    this.own.equilibria.data = slow ? slow.displacement_nm.map((x, k) => ({ x, y: slow.force_nN[k] })) : [];
+    this.own.stable.label = slow ? 'at the rate' : 'stable';
+    const kendall = summary.derived?.kendall_force_nN ?? null;
     const most = u.reduce((a, b) => Math.max(a, b), 0);
     const largest = p.reduce((a, b) => Math.max(a, b), 0);
     // one far above the curve would flatten it; the table has it
@@ -106,9 +96,9 @@ export class CurveChart {
     this.poses = poses.along;
     this.curve = curve;
     const { x, y } = this.chart.options.scales;
-    fitAxis(x, 'displacement u', 'nm', most);
-    fitAxis(y, 'force P', 'nN', p.reduce((a, b) => Math.max(a, Math.abs(b)), 0));
-    this.canvas.setAttribute('aria-label', this.words(summary, u, p));
+    nameAxis(x, 'displacement u', units.u);
+    nameAxis(y, 'force P', units.p);
+    this.canvas.setAttribute('aria-label', this.words(summary, u, p, units));
     this.chart.update('none');
   }
 
@@ -145,12 +135,15 @@ export class CurveChart {
   }
 
   /** The curve in words. */
-  words(summary, u, p) {
+  words(summary, u, p, units) {
     const last = u.length - 1;
-    const peak = summary.peak ?? summary.largest_computed_force;
-    const largest = peak ? `, largest force ${shown(peak.force_nN, 4)} nN at u = ${shown(peak.displacement_nm, 4)} nm` : '';
-    return `Force against displacement: from u = ${shown(u[0], 3)} nm${largest}, to u = ${shown(u[last], 3)} nm, P = ${shown(p[last], 3)} nN; ` +
-      `${summary.limit_points.length} limit points. The slider below moves along it.`;
+    const length = (number, digits) => `${inUnit(number, units.u, digits)} ${units.u.name}`;
+    const force = (number, digits) => `${inUnit(number, units.p, digits)} ${units.p.name}`;
+    const peak = highest(summary);
+    const largest = peak ? `, largest force ${force(peak.force_nN, 4)} at u = ${length(peak.displacement_nm, 4)}` : '';
+    const limits = summary.limit_points ? `; ${summary.limit_points.length} limit points` : '';
+    return `Force against displacement: from u = ${length(u[0], 3)}${largest}, to u = ${length(u[last], 3)}, P = ${force(p[last], 3)}${limits}. ` +
+      'The slider below moves along it.';
   }
 
   listen() {

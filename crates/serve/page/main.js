@@ -7,6 +7,7 @@ import { Sweep } from './sweep.js';
 import * as beam from './beam.js';
 import * as link from './link.js';
 import * as results from './results.js';
+import { unitsOf } from './units.js';
 
 /** An answer that takes longer, ms, is given up for a newer request. */
 const PATIENCE = 400;
@@ -16,6 +17,8 @@ const REST = 300;
 const SLOW = 150;
 /** Of the test that is played, ms for a place of the path. */
 const FRAME = 60;
+/** Most places of a pull at a rate that are played. */
+const PLAYED = 200;
 
 const part = (id) => document.getElementById(id);
 const latest = new Latest(PATIENCE);
@@ -24,7 +27,7 @@ const state = { scene: null, set: new Map(), answer: null, observed: null, toml:
 window.peel = state;
 
 const chart = new CurveChart(part('curve-chart'), moveTo);
-const sweep = new Sweep(part('sweep-chart'), part('sweep-text'));
+const sweep = new Sweep(part('sweep-chart'), part('sweep-text'), { key: part('sweep-key'), from: part('sweep-from'), to: part('sweep-to'), unit: part('sweep-unit') }, () => tryTo(sweepAgain));
 const controls = new Controls(part('first-controls'), part('other-controls'), (key, text, isWord) => {
   if (text === null) state.set.delete(key);
   else state.set.set(key, text);
@@ -82,12 +85,14 @@ function show(answer) {
   state.answer = answer;
   state.observed = null;
   const { summary, poses } = answer;
+  state.units = unitsOf(answer.curve);
   part('title').textContent = summary.title;
   document.title = `${summary.title} – peel`;
   part('version').textContent = summary.version;
   if (answer.controls) controls.show(answer.controls, state.set);
-  chart.show(answer);
-  results.show(summary);
+  chart.show(answer, state.units);
+  results.show(summary, state.units);
+  part('beam-heading').textContent = answer.kind === 'seta' ? 'The seta there' : 'The beam there';
   beam.prepare(poses);
   const last = Math.max(0, poses.along.length - 1);
   part('place').max = last;
@@ -97,7 +102,8 @@ function show(answer) {
 }
 
 /** The place of the peak, where a page begins. */
-function startPlace({ peak }, { along }) {
+function startPlace(summary, { along }) {
+  const peak = results.highest(summary);
   if (!peak) return 0;
   const away = ({ displacement_nm, force_nN }) =>
     Math.hypot(displacement_nm / peak.displacement_nm - 1, force_nN / peak.force_nN - 1);
@@ -114,7 +120,9 @@ function moveTo(index) {
   }
   chart.move(index);
   beam.draw(pose);
-  const text = `u = ${results.shown(pose.displacement_nm)} nm, P = ${results.shown(pose.force_nN)} nN, ${pose.unstable ? 'unstable under displacement control' : 'stable'}`;
+  const { u, p } = state.units;
+  const stability = pose.unstable ? ', unstable under displacement control' : ', stable';
+  const text = `u = ${results.inUnit(pose.displacement_nm, u)} ${u.name}, P = ${results.inUnit(pose.force_nN, p)} ${p.name}${state.answer.kind === 'rate' ? '' : stability}`;
   part('place').value = index;
   part('place').setAttribute('aria-valuetext', text);
   part('place-text').textContent = text;
@@ -124,22 +132,32 @@ function moveTo(index) {
 async function rest() {
   const { summary } = state.answer;
   const number = state.asked;
-  part('sentence').textContent = results.sentence(summary);
+  part('sentence').textContent = results.sentence(summary, state.units);
   const abort = new AbortController();
   state.afterwards = abort;
   try {
-    const answer = await ask('api/peel', { ...asked(), parts: ['test', 'toml'] }, abort.signal);
+    const answer = await ask('api/peel', { ...asked(), parts: ['test', 'toml', 'controls'] }, abort.signal);
     state.observed = answer.summary.observed ?? null;
     state.toml = answer.toml;
     chart.showJumps(state.observed);
     part('text').value = state.toml;
     history.replaceState(null, '', link.written({ name: state.scene.name, title: answer.summary.title, text: state.toml }));
     state.rested = number;
-    const body = Object.entries(summary.parameters).find(([, keys]) => keys?.bending_stiffness_factor);
-    if (body) await sweep.fill(asked(), `${body[0]}.bending_stiffness_factor`, body[1].bending_stiffness_factor, summary);
+    sweep.offer(answer.controls);
+    await sweepAgain();
   } catch (error) {
     tell(error);
   }
+}
+
+/** Computes the sweep of the key that is chosen. */
+async function sweepAgain() {
+  if (state.answer) await sweep.fill(asked(), state.answer.summary);
+}
+
+/** Does something, and tells of its error. */
+function tryTo(work) {
+  work().catch(tell);
 }
 
 /** Tells of an error in sentences; nothing of a request that was given up. */
@@ -186,7 +204,8 @@ function testPlaces() {
     if (landing === null || away(landing) > 0.05) break;
     k = landing - 1;
   }
-  return places;
+  const stride = Math.ceil(places.length / PLAYED);
+  return places.filter((_, index) => index % stride === 0);
 }
 
 let playing = null;

@@ -27,10 +27,11 @@ pub(crate) const FILES: &[PageFile] = files![
     "/curve.js" "curve.js" "text/javascript; charset=utf-8",
     "/beam.js" "beam.js" "text/javascript; charset=utf-8",
     "/sweep.js" "sweep.js" "text/javascript; charset=utf-8",
+    "/units.js" "units.js" "text/javascript; charset=utf-8",
     "/results.js" "results.js" "text/javascript; charset=utf-8",
     "/link.js" "link.js" "text/javascript; charset=utf-8",
-    "/chart.js" "chart.umd.min.js" "text/javascript; charset=utf-8",
-    "/chart-licence.txt" "chart.LICENSE.md" "text/plain; charset=utf-8",
+    "/chart.js" "chart/chart.umd.min.js" "text/javascript; charset=utf-8",
+    "/chart-licence.txt" "chart/LICENSE.md" "text/plain; charset=utf-8",
 ];
 
 /// A scene that the page offers to start from.
@@ -66,6 +67,8 @@ pub const READY: &[(&str, &str, &str)] = scenes![
     "spatula.toml" "Spatula",
     "spatula-rough.toml" "Spatula on wavy ground",
     "tape.toml" "Adhesive tape",
+    "strip-at-a-rate.toml" "Strip at a rate",
+    "seta.toml" "Seta",
 ];
 
 /// All scenes that the page offers, the user's own first.

@@ -1,4 +1,4 @@
-"""What a sweep keeps of a peel: the columns of sweep.csv, units apart from the names."""
+"""What a sweep keeps of a peel, a seta or a pull at a rate: the columns of sweep.csv, units apart from the names."""
 
 from __future__ import annotations
 
@@ -6,9 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from .. import _native
-
-__all__ = ["COLUMNS", "TEXT", "Column", "Row", "refused_row", "row_of"]
+__all__ = ["COLUMNS", "TEXT", "Column", "Row", "columns_of", "refused_row", "row_of"]
 
 #: The type of a text in arrays and stores: long enough for every end.
 TEXT = "<U24"
@@ -96,15 +94,63 @@ def _columns() -> tuple[Column, ...]:
     )
 
 
+#: Those of a peel.
 COLUMNS: tuple[Column, ...] = _columns()
 
+_END = Column("end", "", "how the pull ends", "end", is_text=True)
+_ITERATIONS = Column("newton_iterations", "", "Newton iterations", "newton_iterations")
+_ELEMENTS = Column("elements", "", "elements", "elements")
+_TIME = Column("solve_time", "s", "wall clock of the computation", "solve_s")
+_IMBALANCE = Column("imbalance", "", "largest defect of the balance of energies", "imbalance")
 
-def row_of(peel: _native.Peel) -> Row:
-    """The row of a peel; of one that failed the numbers that it has not are NaN."""
-    found = json.loads(peel.row())
-    return {column.name: column.missing if found[column.source] is None else found[column.source] for column in COLUMNS}
+_OF_SETA = (
+    *_with_error("peak_force", "nN", "largest force on the root along the pull", "peak_force_nN", "mesh_error_nN"),
+    Column("peak_displacement", "nm", "way of the root at the peak", "peak_displacement_nm"),
+    Column("peak_tips_attached", "", "tips that adhere at the peak", "peak_tips_attached"),
+    Column("first_detachment_force", "nN", "force before the first detachment", "first_detachment_force_nN"),
+    Column("first_detachment_displacement", "nm", "way of the root there", "first_detachment_displacement_nm"),
+    Column("last_detachment_force", "nN", "force before the last detachment", "last_detachment_force_nN"),
+    Column("last_detachment_displacement", "nm", "way of the root there", "last_detachment_displacement_nm"),
+    Column("events", "", "events at which tips or beams change", "events"),
+    Column("most_tips_at_once", "", "changes of tips in the largest event", "most_tips_at_once"),
+    Column("work", "aJ", "work of the root over all steps", "work_aJ"),
+    Column("released", "aJ", "energy released in events", "released_aJ"),
+    _IMBALANCE,
+    _END,
+    Column("points", "", "equilibria", "points"),
+    _ITERATIONS,
+    _ELEMENTS,
+    _TIME,
+)
+
+_AT_RATE = (
+    Column("largest_force", "nN", "largest force of the pull", "largest_force_nN"),
+    Column("displacement", "nm", "displacement there", "displacement_nm"),
+    Column("time", "s", "time there, since the pull began", "time_s"),
+    Column("kinetic", "aJ", "kinetic energy at the step next to it", "kinetic_aJ"),
+    Column("dissipated", "aJ", "energy dissipated up to that step", "dissipated_aJ"),
+    Column("contact_lost", "s", "when nothing adheres any more", "contact_lost_s"),
+    Column("work", "aJ", "work of what pulls, to the end", "work_aJ"),
+    _IMBALANCE,
+    _END,
+    Column("steps", "", "steps in time", "steps"),
+    _ITERATIONS,
+    _ELEMENTS,
+    _TIME,
+)
 
 
-def refused_row() -> Row:
+def columns_of(subject: str) -> tuple[Column, ...]:
+    """Those of what a scene describes: ``"peel"``, ``"seta"`` or ``"rate"``."""
+    return {"peel": COLUMNS, "seta": _OF_SETA, "rate": _AT_RATE}[subject]
+
+
+def row_of(row: str, columns: tuple[Column, ...]) -> Row:
+    """The row of an object; of a computation that failed the numbers that it has not are NaN."""
+    found = json.loads(row)
+    return {column.name: column.missing if found[column.source] is None else found[column.source] for column in columns}
+
+
+def refused_row(columns: tuple[Column, ...]) -> Row:
     """The row of values that make no scene together."""
-    return {column.name: "refused" if column.name == "end" else column.missing for column in COLUMNS}
+    return {column.name: "refused" if column.name == "end" else column.missing for column in columns}

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import _native
 from .batch import Table
-from .columns import COLUMNS
+from .columns import Column
 from .grid import Grid
 
 if TYPE_CHECKING:
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 __all__ = ["dataset"]
 
 
-def dataset(grid: Grid, results: Table, scene: str) -> xarray.Dataset:
+def dataset(grid: Grid, results: Table, scene: str, columns: tuple[Column, ...]) -> xarray.Dataset:
     """The dataset of all cases in their order.
 
     Parameters
@@ -26,13 +26,15 @@ def dataset(grid: Grid, results: Table, scene: str) -> xarray.Dataset:
         A column each, a case after the other.
     scene : str
         The scene before the sweep, a TOML text: an attribute of the dataset.
+    columns : tuple of Column
+        What was kept of each case.
     """
     import xarray
 
     keys = grid.keys
     coordinates = {axis.key: (axis.key, axis.values, _attributes(axis.unit, axis.key)) for axis in grid.axes}
     variables: dict[str, Any] = {}
-    for column in COLUMNS:
+    for column in columns:
         values = results[column.name].reshape(grid.shape)
         variables[column.name] = (keys, values, _attributes(column.units, column.long_name))
     attributes = {"program": f"peelkit {_native.VERSION}", "scene": scene}

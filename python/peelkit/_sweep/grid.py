@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _native
 from .._toml import units, value_text
 from ..errors import SceneError
 from ..scene import Scene
@@ -107,26 +107,7 @@ def _value(key: str, value: Any, unit: str) -> Any:
     text = text[1:-1]
     if not unit:
         return text
-    number, given = _parts(text)
+    number = _native.usual(key, text)
     if number is None:
         raise SceneError(f"`{key}` is {value!r}, not a number with its unit", f"Give it in {unit}.", key, str(value))
-    if given == unit:
-        return number
-    try:
-        import pint
-    except ImportError:
-        raise SceneError(
-            f"`{key}` is varied over {value!r}, which is not in {unit}",
-            f"Give values in {unit}, or install pint, which converts them.",
-            key,
-            str(value),
-        ) from None
-    # pint says nothing of its types here
-    units_of_pint: Any = pint
-    registry = units_of_pint.get_application_registry()
-    return float(value_text(key, registry(text)).strip('"').removesuffix(unit))
-
-
-def _parts(text: str) -> tuple[float | None, str]:
-    found = re.fullmatch(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(\S.*?)\s*", text)
-    return (float(found[1]), found[2]) if found else (None, "")
+    return number

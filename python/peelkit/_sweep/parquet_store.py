@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import PeelkitError
 from .batch import Table
-from .columns import COLUMNS
 from .store import Plan, refuse_other
 
 __all__ = ["ParquetStore"]
@@ -66,11 +65,12 @@ class ParquetStore:
         """All results in the order of the cases."""
         import pyarrow.parquet
 
-        results = {column.name: np.full(self.plan.grid.size, column.missing, column.dtype) for column in COLUMNS}
+        size = self.plan.grid.size
+        results = {column.name: np.full(size, column.missing, column.dtype) for column in self.plan.columns}
         for index in self.done():
             start, stop = self.plan.span(index)
             table = pyarrow.parquet.read_table(self._file(index))
-            for column in COLUMNS:
+            for column in self.plan.columns:
                 results[column.name][start:stop] = table[column.name].to_numpy()
         return results
 

@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..errors import SceneError
 from ..scene import Scene
-from .batch import Batch, Table, compute, compute_case
+from .batch import Batch, Table, cases_of, compute
 from .clients import computed, workers
-from .columns import COLUMNS
+from .columns import Column
 from .dataset import dataset
 from .grid import Grid
 from .store import Plan, Store, open_store
@@ -41,7 +40,7 @@ def sweep(
     store: str | os.PathLike[str] | None = None,
     batch: int | None = None,
 ) -> xarray.Dataset:
-    """Peel a scene with every combination of values of some keys.
+    """Compute a scene with every combination of values of some keys: its peel, the pull-off of its seta, or its pull at a rate.
 
     Parameters
     ----------
@@ -80,11 +79,6 @@ def sweep(
     >>> found = peelkit.sweep(scene, {"strip.youngs_modulus": [1, 2, 4], "drive.angle": [60, 90]})  # doctest: +SKIP
     >>> found.peak_force.sel({"drive.angle": 90})  # doctest: +SKIP
     """
-    if scene._native.subject != "peel":
-        raise SceneError(
-            "a sweep peels a beam with every value, and this scene has a seta or a rate",
-            "Run `scene.with_(key, value)` for each value, or use `peel sweep`.",
-        )
     grid = Grid.of(scene, varied)
     text, name = scene.to_toml(), scene.name
     kept = _opened(store, Plan(text, name, grid, 1)) if store is not None else None
@@ -94,14 +88,14 @@ def sweep(
         plan = Plan(text, name, grid, batch or _batch(scene, grid, workers(client)))
     if store is not None and kept is None:
         kept = open_store(Path(store), plan)
-    results = _empty(grid) if kept is None else None
+    results = _empty(grid, plan.columns) if kept is None else None
     done = set() if kept is None else kept.done()
     for part, found in computed(client, compute, _missing(plan, done)):
         if kept is not None:
             kept.keep(part.start // plan.batch, found)
         elif results is not None:
             _put(results, part.start, found)
-    return dataset(grid, kept.read() if results is None and kept is not None else results or {}, text)
+    return dataset(grid, kept.read() if results is None and kept is not None else results or {}, text, plan.columns)
 
 
 def read_sweep(store: str | os.PathLike[str]) -> xarray.Dataset:
@@ -118,7 +112,7 @@ def read_sweep(store: str | os.PathLike[str]) -> xarray.Dataset:
         Where it is no store of a sweep.
     """
     kept = open_store(Path(store), None)
-    return dataset(kept.plan.grid, kept.read(), kept.plan.scene)
+    return dataset(kept.plan.grid, kept.read(), kept.plan.scene, kept.plan.columns)
 
 
 def _opened(store: str | os.PathLike[str], plan: Plan) -> Store | None:
@@ -130,7 +124,7 @@ def _opened(store: str | os.PathLike[str], plan: Plan) -> Store | None:
 def _batch(scene: Scene, grid: Grid, cores: int) -> int:
     """So many cases that a batch takes long enough, by the time of the first one, and that there are enough batches."""
     started = time.perf_counter()
-    compute_case(scene, grid.keys, grid.values(0))
+    cases_of(scene.to_toml(), scene.name).row(grid.keys, grid.values(0))
     seconds = time.perf_counter() - started
     enough = max(1, grid.size // (BATCHES_PER_CORE * cores))
     return min(enough, max(1, math.ceil(BATCH_SECONDS / seconds)))
@@ -145,8 +139,8 @@ def _missing(plan: Plan, done: set[int]) -> Iterator[Batch]:
             yield Batch(start, plan.scene, plan.name, plan.grid.keys, values)
 
 
-def _empty(grid: Grid) -> Table:
-    return {column.name: np.full(grid.size, column.missing, column.dtype) for column in COLUMNS}
+def _empty(grid: Grid, columns: tuple[Column, ...]) -> Table:
+    return {column.name: np.full(grid.size, column.missing, column.dtype) for column in columns}
 
 
 def _put(results: Table, start: int, found: Table) -> None:

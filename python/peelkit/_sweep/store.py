@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -11,6 +12,7 @@ import numpy as np
 from .. import _native
 from ..errors import PeelkitError
 from .batch import Table
+from .columns import Column, columns_of
 from .grid import Axis, Grid
 
 __all__ = ["Plan", "Store", "open_store", "refuse_other"]
@@ -34,6 +36,11 @@ class Plan:
         self.name = name
         self.grid = grid
         self.batch = batch
+
+    @cached_property
+    def columns(self) -> tuple[Column, ...]:
+        """What is kept of a case, by what the scene describes."""
+        return columns_of(_native.Scene(self.name, self.scene, []).subject)
 
     @property
     def batches(self) -> int:

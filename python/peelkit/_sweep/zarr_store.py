@@ -9,7 +9,6 @@ import numpy as np
 
 from ..errors import PeelkitError
 from .batch import Table
-from .columns import COLUMNS
 from .store import Plan, refuse_other
 
 __all__ = ["ZarrStore"]
@@ -47,7 +46,7 @@ class ZarrStore:
         group = zarr.open_group(str(path), mode="w", zarr_format=2)
         for axis in plan.grid.axes:
             _array(group, plan, axis.key, axis.values.dtype, {"units": axis.unit or "1"})
-        for column in COLUMNS:
+        for column in plan.columns:
             attributes = {"units": column.units or "1", "long_name": column.long_name}
             _array(group, plan, column.name, np.dtype(column.dtype), attributes, column.missing)
         done = group.create_array(DONE, shape=(plan.batches,), chunks=(1,), dtype="u1", fill_value=0)
@@ -71,10 +70,10 @@ class ZarrStore:
 
     def read(self) -> Table:
         """All results in the order of the cases."""
-        results = {column.name: self._arrays[column.name][:] for column in COLUMNS}
+        results = {column.name: self._arrays[column.name][:] for column in self.plan.columns}
         for index in set(range(self.plan.batches)) - self.done():
             start, stop = self.plan.span(index)
-            for column in COLUMNS:
+            for column in self.plan.columns:
                 # what a kill may have left of it
                 results[column.name][start:stop] = column.missing
         return results

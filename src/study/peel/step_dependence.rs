@@ -5,11 +5,9 @@
 //! left out, and they have the same ones up to a place where that holds as far as there.
 
 use super::equilibrium_path::path_end::Followed;
-use super::result::Peel;
 use super::solution_history::LimitPoint;
 use crate::beam::element::basis::Basis;
 use crate::model::problem::beam_problem::BeamProblem;
-use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::path::predictor::lagrange_weights;
 use crate::solve::path::segment::PathSegment;
@@ -163,8 +161,6 @@ const NODES: usize = 7;
 const MOST_HALVINGS: usize = 5;
 /// A middle that is missed by this share of what changes on the step is missed in earnest.
 const ROUGHLY: f64 = 1e-3;
-/// How sharp a place on a step is looked for: sixty halvings of [-1, 1].
-const SHARP: f64 = 2.6e-18;
 /// Work that counts, over the adhesion of the whole beam.
 const COUNTS: f64 = 1e-8;
 
@@ -281,21 +277,6 @@ impl StepCurve {
             self.basis.weights[q] * force * rise
         };
         (0..NODES - 1).map(power).sum()
-    }
-}
-
-impl Peel {
-    /// The force where the path first has a displacement (nm), nN, by interpolation between solutions around it; nothing where the
-    /// path does not go there or was not kept.
-    pub fn force_at(&self, displacement: f64) -> Option<f64> {
-        let trace = self.trace.as_ref()?;
-        let after = trace.points.iter().position(|s| s.observables.displacement >= displacement)?;
-        if after == 0 {
-            return Some(trace.points[0].observables.force);
-        }
-        let curve = StepCurve::behind(&trace.problem, &trace.points, after - 1, &mut Workspace::default());
-        let is_before = |place: f64| curve.at(place).0 < displacement;
-        Some(curve.at(Bracket { low: -1.0, high: 1.0 }.bisected(is_before, |left| left.width() <= SHARP).low).2)
     }
 }
 

@@ -18,7 +18,7 @@ use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, boun
 use std::sync::Arc;
 
 /// Work from rest to a point, aJ; 0 where the load has no potential, until [`Peel::integrate_works`].
-pub(super) fn work_at(problem: &BeamProblem, first: &Solution, s: &Solution) -> f64 {
+pub(in crate::study) fn work_at(problem: &BeamProblem, first: &Solution, s: &Solution) -> f64 {
     if problem.system.is_conservative() { energy(problem, s) - energy(problem, first) } else { 0.0 }
 }
 

@@ -2,3 +2,4 @@
 
 pub(super) mod along_beam;
 pub(super) mod beam_state;
+pub(super) mod station;

@@ -66,6 +66,7 @@ const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed"]]),
     ("strip-100nm", &[BRANCH]),
+    ("strip-100nm", &[&["--at", "u=30 nm"]]),
     ("strip-100nm", &[&["--sensitivities"]]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),

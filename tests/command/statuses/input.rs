@@ -1,7 +1,11 @@
 //! What needs no computation: help, and input that is refused.
 
 use super::{bench, peel, sweep};
+use peelkit_scene::{KEYS, Key};
 use std::fs;
+use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 use tempfile::tempdir;
 
 #[test]
@@ -46,7 +50,7 @@ fn a_scene_that_cannot_be_read_is_bad_input() {
     #[cfg(unix)]
     {
         peel(dir.path(), &["run", "/dev/zero"]).is_bad_input(&["cannot read the scene /dev/zero"]);
-        assert!(std::process::Command::new("mkfifo").arg(dir.path().join("pipe")).status().unwrap().success());
+        assert!(Command::new("mkfifo").arg(dir.path().join("pipe")).status().unwrap().success());
         peel(dir.path(), &["run", "pipe"]).is_bad_input(&["it is no file", "in 10 s"]);
     }
     fs::write(dir.path().join("latin.toml"), b"# first\ntitle = \"na\xefve\"").unwrap();
@@ -54,6 +58,80 @@ fn a_scene_that_cannot_be_read_is_bad_input() {
     fs::write(dir.path().join("empty.toml"), "").unwrap();
     peel(dir.path(), &["run", "empty.toml"]).is_bad_input(&["empty.toml, line 1", "[strip]"]);
     assert!(!dir.path().join("out").exists(), "nothing is written for a scene that cannot be used");
+}
+
+/// Data, and the folder of a law of tips: what is no file is refused before it is opened.
+#[cfg(unix)]
+#[test]
+fn data_that_are_no_file_are_refused_at_once() {
+    let dir = bench();
+    for name in ["strip-fit.toml", "seta.toml"] {
+        let scene = format!("{}/../../scenes/{name}", env!("CARGO_MANIFEST_DIR"));
+        fs::copy(scene, dir.path().join(name)).unwrap();
+    }
+    fs::create_dir(dir.path().join("tip")).unwrap();
+    for pipe in ["pipe", "tip/summary.json"] {
+        assert!(Command::new("mkfifo").arg(dir.path().join(pipe)).status().unwrap().success());
+    }
+    const SAID: &str = "it is no file of at most 67108864 bytes";
+    for data in ["pipe", "/dev/zero"] {
+        peel(dir.path(), &["fit", "strip-fit.toml", "--data", data]).is_bad_input(&[data, SAID]);
+    }
+    let by_table = ["run", "seta.toml", "--set", "seta.tip_law=table", "--set", "seta.tip_table=tip"];
+    peel(dir.path(), &by_table).is_bad_input(&["summary.json", SAID]);
+    let table = ["run", "strip-100nm.toml", "--set", "substrate.shape=profile", "--set", "substrate.table=pipe"];
+    peel(dir.path(), &table).is_bad_input(&["pipe, which is no file of at most 1048576 bytes"]);
+}
+
+/// Every key that is a number, with numbers that no model has: an answer or a refusal in seconds, in 2 GB, and never the end of the program by a
+/// signal or a panic.
+#[cfg(unix)]
+#[test]
+fn a_number_of_any_size_in_any_key_is_answered_or_refused() {
+    let keys: Vec<&Key> = KEYS.iter().filter(|key| key.is_numeric() || key.is_count()).collect();
+    let next = AtomicUsize::new(0);
+    let take = || keys.get(next.fetch_add(1, Ordering::Relaxed));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| std::iter::from_fn(take).for_each(|key| is_answered_or_refused(key)));
+        }
+    });
+}
+
+#[cfg(unix)]
+fn is_answered_or_refused(key: &Key) {
+    let (command, scene) = match key.table {
+        "spatula" => ("run", "spatula"),
+        "profile" => ("run", "profile"),
+        "seta" => ("run", "seta"),
+        "time" => ("run", "strip-at-a-rate"),
+        "friction" => ("run", "strip-friction"),
+        "substrate" => ("run", "strip-rough"),
+        "fit" => ("fit", "strip-fit"),
+        "optimise" => ("optimise", "strip-optimised"),
+        "uncertainty" => ("uncertainty", "strip-uncertain"),
+        _ => ("run", "strip-100nm"),
+    };
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
+    for number in ["1e300", "-1e300", "1e-300", "nan", "inf", &"7".repeat(400)] {
+        let set = format!("{}={number} {}", key.path(), key.usual_unit());
+        let mut limited = Command::new("sh");
+        limited.args(["-c", "ulimit -v 2000000; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_peel"), command]);
+        limited.arg(format!("{scenes}/{scene}.toml")).args(["--json", "--set", set.trim()]);
+        if key.path() != "bounds.time" {
+            limited.args(["--set", "bounds.time=5 s"]);
+        }
+        if command == "fit" {
+            limited.args(["--data", &format!("{scenes}/strip-fit.csv")]);
+        }
+        let began = Instant::now();
+        let output = limited.current_dir(std::env::temp_dir()).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(matches!(output.status.code(), Some(0 | 2 | 3)), "{set}: {:?}: {said}", output.status);
+        assert!(!said.contains("panicked"), "{set}: {said}");
+        assert!(output.status.code() != Some(2) || said.contains("help: "), "{set} has no remedy: {said}");
+        assert!(began.elapsed().as_secs() < 60, "{set} took {:?}", began.elapsed());
+    }
 }
 
 /// What no computer holds is refused by its key before anything of its size is made: in a second, and where memory is limited.
@@ -70,7 +148,7 @@ fn lengths_that_no_computer_holds_are_refused_at_once() {
         ("strip.height=1e300 nm", ["`strip.height` is 1e300 nm", "out of range: the largest is 1e30"]),
         ("strip.width=1e-300 nm", ["`strip.width` is 1e-300 nm", "out of range: the least is 1e-30"]),
     ] {
-        let began = std::time::Instant::now();
+        let began = Instant::now();
         peel(dir.path(), &["run", "strip-100nm.toml", "--set", set]).is_bad_input(&parts);
         assert!(began.elapsed().as_secs() < 5, "{set}");
     }

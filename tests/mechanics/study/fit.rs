@@ -16,7 +16,8 @@ use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
     Accuracy, CurveBy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve,
-    MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StopCriteria, fit, peel,
+    MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt, StationQuantity,
+    StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -95,7 +96,7 @@ fn exact(truth: Truth, from: f64) -> Vec<(f64, f64)> {
     let peel = peel(&model(truth), &Accuracy::to(1e-7), &StopCriteria::default());
     let compliance = truth.stiffness.map_or(0.0, f64::recip);
     let at = |u: f64| {
-        let force = peel.force_at(u).unwrap();
+        let force = peel.stations(StationAt { quantity: StationQuantity::Displacement, value: u }).found[0].force;
         (u + compliance * force + truth.zero, force)
     };
     places().filter(|&u| u > from).map(at).collect()

@@ -18,6 +18,7 @@ mod space_by_roll;
 mod space_outlines;
 mod special_points;
 mod stability;
+mod stations;
 mod steady_force;
 mod terms;
 mod upright;

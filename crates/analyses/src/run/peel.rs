@@ -7,7 +7,7 @@ use crate::session::{Progress, Session};
 use peelkit::model::PeelModel;
 use peelkit::study::{
     self, Checkpoint, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch, PathEnd,
-    Peel, TestEnd,
+    Peel, Stations, TestEnd,
 };
 use peelkit_report::{self as report, Journal, JournalKind, PeelSummary, ReportError, timed};
 use peelkit_scene::{BoundsTable, Scene};
@@ -83,6 +83,8 @@ pub struct PeelOutcome {
     pub branch: Option<Option<OutOfPlaneBranch>>,
     /// The displacement-controlled test
     pub test: Option<Observed>,
+    /// The equilibria at the values that the scene asks for
+    pub stations: Vec<Stations>,
     /// That the stability, the branch and the test took
     pub beside_s: [f64; 3],
     /// By which power of each parameter the results change
@@ -132,6 +134,9 @@ impl Analysis for PeelRun<'_> {
             follows.then(branch).transpose()
         });
         let (branch, not_followed) = or_why(branch);
+        let stations =
+            if interrupted { Vec::new() } else { scene.stations.iter().map(|&at| peel.stations(at)).collect() };
+        let missed = stations.iter().flat_map(|stations: &Stations| &stations.missed).next().map(ToString::to_string);
         let differentiated = asked.sensitivities && !interrupted && peel.points.len() > 1;
         let exponents = || {
             session.stage("sensitivities");
@@ -146,8 +151,9 @@ impl Analysis for PeelRun<'_> {
             test,
             beside_s: [stability_s, branch_s, test_s],
             exponents,
+            stations,
             taken,
-            missing: no_exponents.or(unknown).or(not_followed),
+            missing: missed.or(no_exponents).or(unknown).or(not_followed),
             interrupted,
             asked,
             journal,
@@ -168,6 +174,11 @@ fn path(scene: &Scene, journal: &Journal, session: &Session) -> Peel {
     study::peel_on(&scene.model, &scene.accuracy, &session.stop(scene), &checkpoint)
 }
 
+/// The equilibria of a path at the values that a scene asks for.
+fn at_stations(scene: &Scene, peel: &Peel) -> Vec<Stations> {
+    scene.stations.iter().map(|&at| peel.stations(at)).collect()
+}
+
 /// The displacement-controlled test of a scene.
 fn observed(scene: &Scene, session: &Session) -> Result<Observed, Refusal> {
     session.stage("displacement-controlled test");
@@ -184,6 +195,7 @@ impl PeelOutcome {
             branch: None,
             test: None,
             beside_s: [0.0; 3],
+            stations: Vec::new(),
             exponents: None,
             taken: 0,
             missing: None,
@@ -191,6 +203,11 @@ impl PeelOutcome {
             asked: Asked::default(),
             journal: Journal::nowhere(),
         }
+    }
+
+    /// The same with the equilibria at the values that its scene asks for.
+    pub fn with_stations(self, scene: &Scene) -> Self {
+        Self { stations: at_stations(scene, &self.peel), ..self }
     }
 
     fn summary<'a>(&'a self, scene: &'a Scene) -> PeelSummary<'a> {
@@ -205,6 +222,7 @@ impl PeelOutcome {
         if let Some(branch) = &self.branch {
             summary = summary.with_branch(branch.as_ref(), branch_s);
         }
+        summary = summary.with_stations(&self.stations);
         if let Some(Exponents { found, keys, .. }) = &self.exponents {
             summary = summary.with_sensitivities(found, keys);
         }
@@ -225,6 +243,9 @@ impl Outcome for PeelOutcome {
             report::write_curve(dir, peel, stability)?,
             report::write_limit_points(dir, peel)?,
         ];
+        if !self.stations.is_empty() {
+            files.push(report::write_stations(dir, &self.stations)?);
+        }
         files.push(report::write_parameters(dir, scene, command)?);
         if peel.points.len() > 1 {
             files.extend(report::draw_peel_with_branch(peel, stability, branch, &scene.title, dir)?);

@@ -17,10 +17,11 @@ use crate::session::Session;
 use crate::seta::Setae;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind};
-use peelkit_report::{Journal, JournalKind, PartHeader, PullRow, RateResult, SweepRow};
+use peelkit_report::{Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SweepLine, SweepRow, timed};
 use peelkit_scene::Scene;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::io;
 
 /// A scene in which keys are varied.
 pub struct Sweep<'s> {
@@ -135,6 +136,35 @@ impl Analysis for Sweep<'_> {
             part: self.part.clone(),
             ..SweepOutcome::of(cases, rows, taken.into_iter().collect())
         })
+    }
+}
+
+/// Rows of sweep.csv of scenes that differ in some keys, one by one: for those who divide a sweep by themselves.
+pub struct SceneRows {
+    setae: Setae,
+}
+
+impl SceneRows {
+    /// Of scenes like this one: the law of the tips of their setae is computed once where its keys do not vary.
+    pub fn like(scene: &Scene) -> Self {
+        Self { setae: Setae::like(scene) }
+    }
+
+    /// The row of a scene as one JSON object: of its peel, of the pull-off of its seta, or of its pull at a rate. Its value is
+    /// 0, because nothing says what is varied. Called from any thread.
+    ///
+    /// Fails where a number is not finite.
+    pub fn row(&self, scene: &Scene, session: &Session) -> io::Result<String> {
+        if scene.time.is_some() {
+            let (found, solve_s) = timed(|| pull(scene, &self.setae, session));
+            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+        } else if scene.seta.is_some() {
+            let (found, solve_s) = timed(|| self.setae.pull_off(scene, &session.stop_of_one(scene)));
+            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+        } else {
+            let (found, solve_s) = timed(|| peel(scene, session));
+            SweepLine::new(0.0, None, &found, solve_s).to_json()
+        }
     }
 }
 

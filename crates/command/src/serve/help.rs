@@ -17,7 +17,8 @@ Examples:
   peel serve strip.toml --set grip.rotation=fixed --port 8000
 
 The page has sliders for the keys of the scene, the curve with its limit points, error bounds and Kendall's force, the
-beam at any point of the curve, the jumps of a displacement-controlled test, and the peak against the bending stiffness.
+beam at any point of the curve, the jumps of a displacement-controlled test, and the peak against any key. A scene with
+[seta] shows the pull-off of its seta, one with [time] the pull at its rate beside the equilibria.
 Curves can be kept for comparison. A link holds the scene; scene, table, picture and summary can be downloaded.
 Everything is in the program: the page loads nothing from elsewhere.
 

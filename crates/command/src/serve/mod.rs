@@ -2,7 +2,7 @@
 
 mod help;
 
-use super::input::{parse_override, read_scene};
+use super::input::{parse_override, read_any_scene};
 use super::interrupt::Interrupt;
 use super::output::say;
 use super::stop::Stop;
@@ -64,5 +64,5 @@ fn whereabouts(address: SocketAddr) -> String {
 
 /// The scene of the user, its tables in its text.
 fn own_scene(path: &Path, overrides: &[(String, String)]) -> Result<StartScene, Stop> {
-    Ok(StartScene::of(&read_scene(path, overrides)?))
+    Ok(StartScene::of(&read_any_scene(path, overrides)?))
 }

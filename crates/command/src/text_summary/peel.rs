@@ -9,7 +9,8 @@ use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
 use peelkit::study::{
     Bound, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane,
-    OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, TermDecisions, TermEffect, WarningKind,
+    OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity, Stations, TermDecisions,
+    TermEffect, WarningKind,
 };
 use peelkit::units::length_text;
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
@@ -21,12 +22,22 @@ const ROUND_OFF: f64 = 2e-8;
 /// A number whose error bound is a larger share of it has no digit that is certain.
 const NO_ACCURACY: f64 = 0.5;
 
-/// The summary of one peel, which took so many seconds, with its stability out of the plane and the branch that leaves it where they were
-/// asked for.
+/// What was asked for beside a path.
+#[derive(Clone, Copy, Default)]
+pub struct Beside<'a> {
+    /// Its stability out of the plane
+    pub stability: Option<&'a OutOfPlane>,
+    /// The branch that leaves the plane, if there is one
+    pub branch: Option<&'a Option<OutOfPlaneBranch>>,
+    /// Its equilibria at given values
+    pub stations: &'a [Stations],
+}
+
+/// The summary of one peel, which took so many seconds, with what was asked for beside it.
 pub fn peel(
     scene: &Scene,
     peel: &Peel,
-    (stability, branch): (Option<&OutOfPlane>, Option<&Option<OutOfPlaneBranch>>),
+    Beside { stability, branch, stations }: Beside,
     solve_s: f64,
     wanted: WantedUnits,
 ) -> String {
@@ -89,6 +100,8 @@ pub fn peel(
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
+    let at_stations = stations.iter().flat_map(|stations| station_lines(stations, &units));
+    lines.extend(at_stations.enumerate().map(|(index, line)| (if index == 0 { "stations" } else { "" }, line)));
     lines.extend(derived(scene, &units));
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
@@ -114,6 +127,45 @@ pub fn peel(
         ),
     ));
     in_columns(&scene.title, &lines)
+}
+
+/// The equilibria at a value that was asked for, a line each.
+fn station_lines(stations: &Stations, units: &Units) -> Vec<String> {
+    let value = |value: f64| match stations.at.quantity {
+        StationQuantity::Displacement | StationQuantity::Front => units.length.short(value),
+        StationQuantity::Force => units.force.short(value),
+        StationQuantity::EndRotation => format!("{} deg", short(value.to_degrees())),
+    };
+    let named = match stations.at.quantity {
+        StationQuantity::Displacement => "u",
+        StationQuantity::Force => "P",
+        StationQuantity::Front => "front",
+        StationQuantity::EndRotation => "rotation of the grip",
+    };
+    let at = format!("{named} = {}", value(stations.at.value));
+    let found = |station: &Station| {
+        let (place, force) = (station.displacement, station.force);
+        let (place, force) = match station.errors {
+            Some(errors) => {
+                (units.length.with_error(place, errors.displacement), units.force.with_error(force, errors.force))
+            }
+            None => (units.length.fixed(place, 4), units.force.fixed(force, 6)),
+        };
+        let what = match stations.at.quantity {
+            StationQuantity::Displacement => format!("P = {force}"),
+            StationQuantity::Force => format!("u = {place}"),
+            StationQuantity::Front | StationQuantity::EndRotation => format!("u = {place}, P = {force}"),
+        };
+        let stable = if station.negative_eigenvalues == 0 { "" } else { ", unstable under displacement control" };
+        format!("{at}: {what}{stable}")
+    };
+    let mut lines: Vec<String> = stations.found.iter().map(found).collect();
+    lines.extend(stations.missed.iter().map(|missed| format!("{at}: {missed}")));
+    if lines.is_empty() {
+        let [least, largest] = stations.range.map(value);
+        lines.push(format!("{at}: the path does not pass it; it goes from {least} to {largest}"));
+    }
+    lines
 }
 
 /// The largest force (nN), displacement (nm) and work (aJ) that is printed.
@@ -471,7 +523,7 @@ short
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up, (None, None), 0.0042, WantedUnits::default()), expected);
+        assert_eq!(peel(&scene, &made_up, Beside::default(), 0.0042, WantedUnits::default()), expected);
         let loss = OutOfPlaneLoss {
             displacement: 0.489743876,
             force: 0.312661701,
@@ -486,7 +538,13 @@ short
             (None, "stable on the whole path"),
         ] {
             let stability = OutOfPlane { negative_eigenvalues: Vec::new(), first_loss };
-            let text = peel(&scene, &made_up, (Some(&stability), None), 0.0042, WantedUnits::default());
+            let text = peel(
+                &scene,
+                &made_up,
+                Beside { stability: Some(&stability), ..Beside::default() },
+                0.0042,
+                WantedUnits::default(),
+            );
             let first = text.lines().nth(2).unwrap_or_default();
             assert!(first.trim_start().starts_with(&format!("out of the plane   {begins}")), "{first}");
         }

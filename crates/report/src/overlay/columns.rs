@@ -1,11 +1,8 @@
 //! The columns of a CSV: its header, and the texts of its cells.
 
 use super::OverlayError;
-use std::fs;
+use crate::file::read_whole;
 use std::path::Path;
-
-/// Largest file that is read, bytes.
-const LARGEST: u64 = 64 << 20;
 
 /// A CSV with a header.
 pub(super) struct Columns {
@@ -20,11 +17,7 @@ impl Columns {
     pub fn read(path: &Path) -> Result<Self, OverlayError> {
         let cannot =
             |why: String| OverlayError::new(path, format!("cannot be read: {why}"), "Give the path of a CSV file.");
-        let metadata = fs::metadata(path).map_err(|error| cannot(error.to_string()))?;
-        if !metadata.is_file() || metadata.len() > LARGEST {
-            return Err(cannot(format!("it is no file of at most {LARGEST} bytes")));
-        }
-        let bytes = fs::read(path).map_err(|error| cannot(error.to_string()))?;
+        let bytes = read_whole(path).map_err(|error| cannot(error.to_string()))?;
         let text = String::from_utf8(bytes).map_err(|_| cannot("it is not text in UTF-8".into()))?;
         Self::parse(text.trim_start_matches('\u{feff}')).map_err(|found| {
             OverlayError::new(

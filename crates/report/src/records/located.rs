@@ -4,7 +4,9 @@ use super::path::grip;
 use crate::names::limit_point_kind_word;
 use crate::record::{Fields, Record};
 use peelkit::model::SpatialGrip;
-use peelkit::study::{BranchPoint, LargestComputedForce, LimitPoint, OutOfPlaneLoss, Peak, Plateau};
+use peelkit::study::{
+    BranchPoint, LargestComputedForce, LimitPoint, OutOfPlaneLoss, Peak, Plateau, Station, StationAt, Stations,
+};
 
 impl Record for Peak {
     fn fields(of: &mut Fields<Self>) {
@@ -124,4 +126,47 @@ impl Record for BranchPoint {
         of.part(Place::from);
         of.field("negative_eigenvalues", "of the displacement-controlled tangent before it and behind it", |at| at.negative_eigenvalues);
     }
+}
+
+// -- Stations: equilibria at an exact value of a quantity --
+
+impl Record for StationAt {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("quantity", "`displacement`, `force`, `front` or `end_rotation`", |at| at.quantity.name());
+        of.field("value", "its value that was asked for: nm, of a force nN, of a rotation rad", |at| at.value);
+    }
+}
+
+impl Record for Station {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("displacement_nm", "u there", |at| at.displacement);
+        of.field("force_nN", "P there", |at| at.force);
+        of.field("end_rotation_rad", "rotation of the grip there", |at| at.end_rotation);
+        of.field("front_nm", "length that still adheres there, by its energy", |at| at.front);
+        of.field("work_aJ", "work of the grip from the beginning of the path to there", |at| at.work);
+        of.field("negative_eigenvalues", "number of unstable directions under displacement control there; 0: stable", |at| at.negative_eigenvalues);
+        of.field("negative_eigenvalues_load", "the same under force control", |at| at.negative_eigenvalues_load);
+        of.field("error_nm", "bound of the error of the displacement; round-off where that was asked for. Like all bounds null with friction, where a term was left out, and next to a limit point that half as many elements again have elsewhere", |at| at.errors.map(|errors| errors.displacement));
+        of.field("error_nN", "bound of the error of the force", |at| at.errors.map(|errors| errors.force));
+        of.field("error_rad", "bound of the error of the rotation", |at| at.errors.map(|errors| errors.end_rotation));
+        of.field("error_front_nm", "bound of the error of the length that still adheres", |at| at.errors.map(|errors| errors.front));
+        of.field("after_point", "it lies behind this row of curve.csv, counted from 0", |at| at.after);
+    }
+}
+
+impl Record for Stations {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.part(|stations| stations.at);
+        of.field("found", "the equilibria, in path order; empty where the path does not pass the value", |stations| stations.found.as_slice());
+        of.field("least", "the least value on the path", |stations| finite(stations.range[0]));
+        of.field("largest", "the largest value on the path", |stations| finite(stations.range[1]));
+        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", missed);
+    }
+}
+
+fn missed(stations: &Stations) -> Vec<String> {
+    stations.missed.iter().map(ToString::to_string).collect()
 }

@@ -6,7 +6,7 @@ use crate::record::{Fields, Record};
 use crate::reference::Output;
 use crate::table::{table, write_text};
 use peelkit::model::SpatialGrip;
-use peelkit::study::{LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel};
+use peelkit::study::{LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel, Station, StationAt, Stations};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -101,6 +101,7 @@ pub(crate) fn outputs() -> Vec<Output> {
     vec![
         Output::table("curve.csv", <((&PathPoint, OutOfPlaneColumn), GripOfPoint)>::keys()),
         Output::table("limit_points.csv", <(LimitPointRow, GripOfLimitPoint)>::keys()),
+        Output::table("stations.csv", <((StationAt, Station), GripOfLimitPoint)>::keys()),
     ]
 }
 
@@ -141,6 +142,14 @@ pub fn write_equilibria(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError>
 pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportError> {
     let rows = peel.limit_points.iter().map(|at| (LimitPointRow(at), at.in_space));
     write_text(dir, "limit_points.csv", with_grip(rows, GripOfLimitPoint))
+}
+
+/// Writes stations.csv: one row an equilibrium at a value that was asked for, those of one value in path order; in space with the columns of the grip.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
+pub fn write_stations(dir: &Path, stations: &[Stations]) -> Result<PathBuf, ReportError> {
+    let rows = stations.iter().flat_map(|of| of.found.iter().map(|found| ((of.at, *found), found.in_space)));
+    write_text(dir, "stations.csv", with_grip(rows, GripOfLimitPoint))
 }
 
 /// The text of a table, in space with the columns of the grip behind those of the row: in the plane no row has them.

@@ -11,7 +11,7 @@ use crate::reference::Output;
 use peelkit::beam::GripState;
 use peelkit::model::{Form, Step};
 use peelkit::solve::Pace;
-use peelkit::study::{Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel};
+use peelkit::study::{Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel, Stations};
 use peelkit_scene::Scene;
 
 /// A peel with what was asked for beside it.
@@ -22,6 +22,7 @@ pub struct PeelFound<'a> {
     solve_s: f64,
     out_of_plane: Option<OutOfPlaneFound<'a>>,
     observed: Option<ObservedSummary<'a>>,
+    stations: &'a [Stations],
     sensitivities: Option<Vec<Sensitivity<'a>>>,
 }
 
@@ -68,6 +69,7 @@ impl Record for PeelFound<'_> {
         of.sometimes("steps", "with `drive.steps`: the grip after each step before the pull, relative to where it took hold", |found| Some(found.steps()).filter(|steps| !steps.is_empty()));
         of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |found| Some(Ground { contact: found.peel.contact(0)?, largest_force: found.peel.largest_force() }));
         of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |found| found.peel.sliding_at_peak());
+        of.sometimes("stations", "with `output.stations` or `--at`: the equilibria at the values that were asked for, a value each", |found| Some(found.stations).filter(|stations| !stations.is_empty()));
         of.sometimes("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll", |found| found.out_of_plane);
         of.sometimes("observed", "with `--observed`: the displacement-controlled test", |found| found.observed);
         of.sometimes("sensitivities", "with `--sensitivities`: by which power of each parameter the results change; those of one result together, largest first", |found| found.sensitivities.as_deref());
@@ -149,13 +151,20 @@ impl<'a> PeelFound<'a> {
 impl<'a> PeelSummary<'a> {
     /// The summary of the peel of this scene, which took so many seconds.
     pub fn new(scene: &'a Scene, peel: &'a Peel, solve_s: f64) -> Self {
-        let found = PeelFound { scene, peel, solve_s, out_of_plane: None, observed: None, sensitivities: None };
+        let found =
+            PeelFound { scene, peel, solve_s, out_of_plane: None, observed: None, stations: &[], sensitivities: None };
         Summary::of(scene, found)
     }
 
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(mut self, test: &'a Observed, solve_s: f64) -> Self {
         self.found.observed = Some(ObservedSummary::new(test, solve_s));
+        self
+    }
+
+    /// The same with the equilibria at values that were asked for.
+    pub fn with_stations(mut self, stations: &'a [Stations]) -> Self {
+        self.found.stations = stations;
         self
     }
 

@@ -7,7 +7,7 @@ pub(crate) mod studies;
 
 use bounds::BoundsTable;
 use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
-use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy};
+use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy, StationAt};
 use rate::TimeTable;
 use seta::SetaTable;
 use std::path::Path;
@@ -31,6 +31,8 @@ pub struct Scene {
     pub accuracy: Accuracy,
     /// Where the path may be stopped although it goes on.
     pub bounds: BoundsTable,
+    /// Where the path is computed besides.
+    pub stations: Vec<StationAt>,
     /// What `peel fit` determines, where the scene says so.
     pub fit: Option<FitTable>,
     /// What is optimised, where the scene says so; `peel optimise` does it.
@@ -76,6 +78,7 @@ impl Scene {
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), ..BoundsTable::default() },
             seta: None,
             time: None,
+            stations: Vec::new(),
             fit: None,
             optimisation: None,
             uncertainty: None,

@@ -3,6 +3,7 @@
 mod bounded;
 pub(crate) mod fit;
 pub(crate) mod optimise;
+pub(crate) mod output;
 pub(crate) mod rate;
 pub(crate) mod seta;
 pub(crate) mod uncertainty;

@@ -141,8 +141,8 @@ impl SetaOutcome {
         all.into_iter().filter_map(|(name, state)| Some((name, state.as_ref()?))).collect()
     }
 
-    /// So many states along the pull-off, evenly, with those that have names.
-    fn states(&self, count: usize) -> Vec<SetaState> {
+    /// So many states along the pull-off, evenly, with those that have names: of those that the run was asked to keep.
+    pub fn states(&self, count: usize) -> Vec<SetaState> {
         self.followed.sampler().evenly(count, self.moments().into_iter().map(|(_, state)| state.clone()))
     }
 }

@@ -3,6 +3,7 @@
 mod case;
 mod peaks;
 mod points;
+mod stations;
 mod steady;
 mod work;
 
@@ -23,5 +24,6 @@ fn checks() -> Vec<Check> {
     checks.extend(steady::checks());
     checks.extend(peaks::checks());
     checks.extend(work::checks(&whole));
+    checks.extend(stations::checks());
     checks
 }

@@ -11,7 +11,9 @@ pub struct Limits {
     pub waiting: usize,
     /// Longest time for a path; its limit points and error bounds end after twice as long.
     pub time: Duration,
-    /// Largest request, bytes
+    /// Largest head of a request, bytes
+    pub head_size: usize,
+    /// Largest rest of a request, bytes
     pub body: usize,
     /// Open connections; beyond, the oldest one that is not being answered is closed.
     pub connections: usize,
@@ -28,6 +30,7 @@ impl Limits {
             runs: cores.max(1),
             waiting: 32,
             time: Duration::from_secs(20),
+            head_size: 1 << 16,
             body: 1 << 20,
             connections: 256,
             head: Duration::from_secs(15),

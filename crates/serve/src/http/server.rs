@@ -1,10 +1,10 @@
 //! The server: an address, its connections, its end.
 
-use crate::connections::{BeingAnswered, Busy, Connections};
-use crate::limits::Limits;
+use crate::http::connections::{BeingAnswered, Busy, Connections};
+use crate::http::limits::Limits;
+use crate::http::routes::router;
 use crate::page::{StartScene, start_scenes};
-use crate::routes::router;
-use crate::runs::Runs;
+use crate::run::runs::Runs;
 use axum::Router;
 use axum::body::Body;
 use axum::http::Request;
@@ -142,7 +142,7 @@ async fn answer(stream: TcpStream, routes: Router, busy: Busy, limits: Limits, o
         }
     });
     let mut server = http1::Builder::new();
-    server.timer(TokioTimer::new()).header_read_timeout(limits.head);
+    server.timer(TokioTimer::new()).header_read_timeout(limits.head).max_buf_size(limits.head_size);
     // that a browser closes a connection, or sends no request, is nothing to report
     let _ = open.watch(server.serve_connection(TokioIo::new(stream), service)).await;
 }

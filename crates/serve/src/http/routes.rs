@@ -1,13 +1,13 @@
 //! Addresses and what stands behind them.
 
-use crate::answer::answer;
-use crate::files::file;
-use crate::limits::Limits;
-use crate::origin;
+use crate::http::limits::Limits;
+use crate::http::origin;
+use crate::http::refusal::Refusal;
+use crate::http::request::{FileRequest, PeelRequest, parse};
 use crate::page::{FILES, PageFile, StartScene};
-use crate::refusal::Refusal;
-use crate::request::{FileRequest, PeelRequest, parse};
-use crate::runs::Runs;
+use crate::run::answer::answer;
+use crate::run::files::file;
+use crate::run::runs::Runs;
 use axum::Router;
 use axum::body::{Body, Bytes};
 use axum::extract::{DefaultBodyLimit, FromRequest, Request, State};

@@ -1,8 +1,9 @@
 //! Runs on threads of their own: so many at once, so many that wait, each with an end.
 
-use crate::limits::Limits;
-use crate::refusal::Refusal;
+use crate::http::limits::Limits;
+use crate::http::refusal::Refusal;
 use peelkit::study::{Stage, StopCriteria, StopReason};
+use peelkit_analyses::Watcher;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -27,15 +28,21 @@ pub(crate) struct RunEnd {
     time: Duration,
 }
 
-impl RunEnd {
+impl Watcher for RunEnd {
     /// These criteria, and besides: the run ends when its page has gone, when the server ends, and after its time.
-    pub fn ends(&self, stop: StopCriteria) -> StopCriteria {
+    fn ends(&self, stop: StopCriteria) -> StopCriteria {
         let end = self.clone();
         stop.or_when(move |stage| end.reason(stage))
     }
 
+    fn asked(&self) -> bool {
+        self.left.load(Ordering::Relaxed) || self.ending.load(Ordering::Relaxed)
+    }
+}
+
+impl RunEnd {
     fn reason(&self, stage: Stage) -> Option<StopReason> {
-        if self.left.load(Ordering::Relaxed) || self.ending.load(Ordering::Relaxed) {
+        if self.asked() {
             return Some(StopReason::Interrupted);
         }
         let most = match stage {
@@ -43,11 +50,6 @@ impl RunEnd {
             Stage::Results => 2 * self.time,
         };
         (self.started.elapsed() > most).then_some(StopReason::Time { seconds: self.time.as_secs_f64() })
-    }
-
-    /// Whether nobody waits for it any more.
-    pub fn is_left(&self) -> bool {
-        self.left.load(Ordering::Relaxed)
     }
 }
 

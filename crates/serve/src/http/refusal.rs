@@ -103,6 +103,21 @@ impl From<SceneError> for Refusal {
     }
 }
 
+impl From<peelkit_analyses::Refusal> for Refusal {
+    fn from(refusal: peelkit_analyses::Refusal) -> Self {
+        use peelkit_analyses::Refusal as Of;
+        match refusal {
+            Of::Asked { found, remedy } | Of::Scene { found, remedy } => Self::Scene { found, remedy },
+            Of::CutShort(why) => Self::Scene {
+                found: format!("the computation stopped short: {why}"),
+                remedy: "Change the scene a little.".into(),
+            },
+            Of::Report(error) => error.into(),
+            Of::Other(why) => Self::Broken(why),
+        }
+    }
+}
+
 impl From<ReportError> for Refusal {
     fn from(error: ReportError) -> Self {
         match error {

@@ -30,7 +30,7 @@ pub(crate) struct Control {
 #[serde(tag = "kind", rename_all = "lowercase")]
 enum ControlKind {
     /// A number, with a slider where it has a value and a range that one can show
-    Number { value: Option<f64>, slider: Option<Slider> },
+    Number { value: Option<f64>, slider: Option<Slider>, whole: bool },
     /// One of several words
     Choice { value: String, words: Vec<&'static str> },
 }
@@ -55,9 +55,9 @@ fn control(key: &Key, scene: &Scene) -> Option<Control> {
         Some(Value::Flag(value)) => ControlKind::Choice { value: value.to_string(), words: vec!["true", "false"] },
         Some(Value::Number(number)) if key.is_numeric() => {
             let unit = size_of_unit(key.dimension(), key.usual_unit());
-            ControlKind::Number { value: Some(number / unit), slider: slider(key, number, unit) }
+            ControlKind::Number { value: Some(number / unit), slider: slider(key, number, unit), whole: key.is_count() }
         }
-        None if key.is_numeric() => ControlKind::Number { value: None, slider: None },
+        None if key.is_numeric() => ControlKind::Number { value: None, slider: None, whole: key.is_count() },
         _ => return None,
     };
     Some(Control {
