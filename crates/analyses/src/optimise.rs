@@ -83,18 +83,14 @@ impl Analysis for Optimisation<'_> {
         let Self { scene, table, problem } = self;
         let journal = session.open(JournalKind::OPTIMISATION, scene, &[])?;
         session.watcher.see(Progress::Begin(table.starts * table.evaluations));
-        let known = |coordinates: &[f64]| journal.known::<Evaluation>(&coordinates);
         let keep = |design: &Evaluation| {
             session.watcher.see(Progress::Done);
-            // of two the one with a gradient counts
-            if !design.gradient.is_empty() || known(&design.coordinates).is_none() {
-                journal.keep(&design.coordinates.as_slice(), design);
-            }
+            journal.keep(&(&design.coordinates, design.with_gradient), design);
         };
         let options = OptimisationOptions {
             stop: &|| session.stop_of_one(scene),
             go_on: &|| !session.watcher.asked() && journal.works(),
-            known: &known,
+            known: &|coordinates, with_gradient| journal.known(&(coordinates, with_gradient)),
             keep: &|_, design| keep(design),
             ..table.options(scene.accuracy)
         };
