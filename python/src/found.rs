@@ -102,7 +102,8 @@ pub fn save(
     replace: bool,
 ) -> PyResult<Vec<PathBuf>> {
     let existing = if replace { Existing::Replace } else { Existing::Keep };
-    let written = py.detach(|| OutputFolder::claim(folder, existing)?.write(|dir| outcome.write(scene, dir, command)));
+    let written =
+        py.detach(|| OutputFolder::claim(folder, existing, None)?.write(|dir| outcome.write(scene, dir, command)));
     written.map_err(|error| match unsaved(&error) {
         Some(remedy) => other(py, error.to_string(), remedy),
         None => other(py, error.to_string(), ""),

@@ -3,7 +3,7 @@
 
 use super::command_line::command_line;
 use super::interrupt::Interrupt;
-use super::output::{OutArgs, list_files, note, say, warn};
+use super::output::{OutArgs, list_files, note, say};
 use super::progress::Bar;
 use super::stop::Stop;
 use peelkit::study::StopCriteria;
@@ -66,8 +66,7 @@ impl Drive<'_> {
             Some(answer) => Interrupt::listen(bar.above(answer)),
             None => Interrupt::deaf(),
         };
-        let output =
-            folder.as_ref().map(|folder| out.claim(folder, analysis.journal().map(|kind| kind.name))).transpose()?;
+        let output = folder.as_ref().map(|folder| out.claim(folder, analysis.journal())).transpose()?;
         let keeping = folder.as_ref().filter(|_| analysis.journal().is_some());
         let keeping = keeping.map(|folder| Keeping { folder, fresh });
         let eyes = Eyes { bar, interrupt };

@@ -69,10 +69,20 @@ impl From<ReportError> for Stop {
             ReportError::InUse { .. } => {
                 Self::bad_input(&error, "Wait until it has ended, or give another folder with --out DIR.")
             }
-            ReportError::OtherCheckpoint { analysis, .. } => Self::bad_input(
+            ReportError::OtherCheckpoint { analysis, of, .. } => Self::bad_input(
                 &error,
                 format!(
-                    "Finish that {analysis} with its own command, or give another folder with --out DIR, or --fresh to discard what it has kept."
+                    "Finish that {analysis} with its own {}, or give another folder with --out DIR, or --fresh to discard what it has kept.",
+                    if of == "version" { "version of peel" } else { "command" }
+                ),
+            ),
+            ReportError::OlderCheckpoint { analysis, version, .. } => Self::bad_input(
+                &error,
+                format!(
+                    "Finish that {analysis} with {}, or give another folder with --out DIR, or --fresh to discard what it has kept.",
+                    version
+                        .as_ref()
+                        .map_or("the version that began it".to_owned(), |version| format!("peel {version}"))
                 ),
             ),
             ReportError::NoCheckpoint { .. } => Self::bad_input(

@@ -32,12 +32,22 @@ pub enum ReportError {
     OtherCheckpoint {
         /// The checkpoint.
         path: PathBuf,
-        /// What is interrupted: `run`, `sweep`, `sample`, `optimisation`.
-        analysis: &'static str,
-        /// What of it is another one: `scene`, `version`, or a setting such as `key`.
+        /// What is interrupted, as the file says: `run`, `sweep`, `sample`, `optimisation`.
+        analysis: String,
+        /// What of it is another one: `kind`, `scene`, `version`, or a setting such as `key`.
         of: String,
         /// Where the two differ, and what stands there in each.
         difference: String,
+    },
+    /// A checkpoint that this version of the program does not read.
+    #[error("{path} is a checkpoint that {} has written in another form, and this version of peel does not read it", version.as_ref().map_or("an older version of peel".to_owned(), |version| format!("peel {version}")))]
+    OlderCheckpoint {
+        /// The checkpoint.
+        path: PathBuf,
+        /// What is interrupted: `run`, `sweep`, `sample`, `optimisation`.
+        analysis: &'static str,
+        /// The version that wrote it, where the file says so.
+        version: Option<String>,
     },
     /// A file that should be a checkpoint.
     #[error("{path} is not a checkpoint that this version of peel can read: {reason}")]
@@ -100,6 +110,7 @@ impl ReportError {
         | Self::Exists { path }
         | Self::InUse { path, .. }
         | Self::OtherCheckpoint { path, .. }
+        | Self::OlderCheckpoint { path, .. }
         | Self::NoCheckpoint { path, .. }
         | Self::NoPart { path, .. }
         | Self::NoTipLaw { path, .. }

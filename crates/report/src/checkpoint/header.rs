@@ -14,8 +14,8 @@ use std::path::Path;
 /// In the order in which differences are told.
 #[derive(Serialize)]
 struct Header<'h> {
-    version: &'static str,
     analysis: &'static str,
+    version: &'static str,
     settings: BTreeMap<&'h str, &'h str>,
     scene: Object,
 }
@@ -23,18 +23,33 @@ struct Header<'h> {
 /// The text of a header: the program, what is computed, of which scene with its defaults, and the settings besides.
 pub(super) fn text(analysis: &'static str, scene: &Scene, settings: &[(&str, &str)]) -> io::Result<Vec<u8>> {
     let settings = settings.iter().copied().collect();
-    Ok(serde_json::to_vec(&Header { version: VERSION, analysis, settings, scene: parameters(scene) })?)
+    Ok(serde_json::to_vec(&Header { analysis, version: VERSION, settings, scene: parameters(scene) })?)
+}
+
+/// The version of the program that wrote a file in the form of peel 0.2 and before, lines of text or a line before bytes: its first line is an object of
+/// JSON. Nothing where it is no such file, or does not say.
+pub(super) fn older_version(bytes: &[u8]) -> Option<String> {
+    let line = bytes.split(|&byte| byte == b'\n').next()?;
+    let header: Value = serde_json::from_slice(line).ok()?;
+    // a part of a divided sweep says it of the sweep
+    let version = header.get("peelkit").or_else(|| header.get("sweep")?.get("peelkit"))?;
+    version.as_str().map(str::to_owned)
 }
 
 /// How the file at `path`, which begins with `found`, is another one than that of the header `wanted`.
-pub(super) fn other(path: &Path, analysis: &'static str, found: &[u8], wanted: &[u8]) -> ReportError {
+pub(super) fn other(path: &Path, found: &[u8], wanted: &[u8]) -> ReportError {
     let path = path.to_path_buf();
     let [found, wanted] = [found, wanted].map(|text| serde_json::from_slice(text).unwrap_or(Value::Null));
-    let different = ["version", "analysis", "settings", "scene"].into_iter().find_map(|of| {
+    let analysis = words(found.get("analysis"));
+    let different = ["analysis", "version", "settings", "scene"].into_iter().find_map(|of| {
         let (name, there, here) = difference("", found.get(of), wanted.get(of))?;
-        let of = if of == "settings" { name.clone() } else { of.to_owned() };
-        let name = if name.is_empty() { of.clone() } else { name };
-        Some((of, format!("{name} is {there} there, and {here} here")))
+        let of = match of {
+            "analysis" => "kind",
+            "settings" => &name,
+            of => of,
+        };
+        let name = if name.is_empty() { of } else { &name };
+        Some((of.to_owned(), format!("{name} is {there} there, and {here} here")))
     });
     match different {
         Some((of, difference)) => ReportError::OtherCheckpoint { path, analysis, of, difference },

@@ -21,6 +21,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
+/// How the names of files of lines of text end, in peel 0.2 and before.
+pub(super) const OLDER_ENDING: &str = ".jsonl";
+
 /// Of which analysis a journal is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JournalKind {
@@ -54,16 +57,32 @@ impl JournalKind {
         Self { name, analysis, entries, interval: Duration::ZERO }
     }
 
-    /// Whether `dir` holds such a file.
+    /// Whether `dir` holds such a file, or one of an older version.
     pub fn is_in(&self, dir: &Path) -> bool {
-        dir.join(self.name).is_file()
+        self.names().iter().any(|name| dir.join(name).is_file())
     }
 
     /// Removes the file in `dir`, if there is one.
     ///
     /// Fails with [`ReportError::Write`] where it cannot be removed.
     pub fn discard(&self, dir: &Path) -> Result<(), ReportError> {
-        remove(dir.join(self.name))
+        self.names().into_iter().try_for_each(|name| remove(dir.join(name)))
+    }
+
+    /// The names of such files: this one, and that of an older version.
+    pub(crate) fn names(&self) -> [String; 2] {
+        [self.name.to_owned(), format!("{}{OLDER_ENDING}", self.name)]
+    }
+
+    /// Refuses the file of an older version in `dir`, which would be computed again beside it, unasked.
+    fn refuse_older(&self, dir: &Path) -> Result<(), ReportError> {
+        let older = self.names().into_iter().map(|name| dir.join(name)).find_map(|path| {
+            let bytes = fs::read(&path).ok()?;
+            let version = header::older_version(&bytes);
+            let is_older = version.is_some() || !path.ends_with(self.name);
+            is_older.then_some(ReportError::OlderCheckpoint { path, analysis: self.analysis, version })
+        });
+        older.map_or(Ok(()), Err)
     }
 }
 
@@ -110,8 +129,10 @@ impl Journal {
     /// Opens the file in `dir`, or begins it, of this scene with these settings, each with its name. The file of another scene, of other settings or of
     /// another version, and one in which something has changed since it was written, is refused and left as it is. What was torn at its end is cut off.
     ///
-    /// Fails with [`ReportError::OtherCheckpoint`], [`ReportError::NoCheckpoint`], [`ReportError::Read`] or [`ReportError::Write`].
+    /// Fails with [`ReportError::OtherCheckpoint`], [`ReportError::OlderCheckpoint`], [`ReportError::NoCheckpoint`], [`ReportError::Read`] or
+    /// [`ReportError::Write`].
     pub fn open(dir: &Path, kind: JournalKind, scene: &Scene, settings: &[(&str, &str)]) -> Result<Self, ReportError> {
+        kind.refuse_older(dir)?;
         let path = dir.join(kind.name);
         let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
         let wanted = header::text(kind.analysis, scene, settings).map_err(refuse)?;
@@ -123,7 +144,7 @@ impl Journal {
         // one that was torn in its header holds nothing
         if !growing.header.starts_with(&bytes) || bytes.len() == growing.header.len() {
             let scan = Scan::of(&bytes);
-            refuse_other(&path, kind, &bytes, &scan, &wanted)?;
+            refuse_other(&path, &bytes, &scan, &wanted)?;
             growing.take_up(&bytes, &scan).map_err(refuse)?;
         }
         if kind.interval.is_zero() {
@@ -233,12 +254,12 @@ impl Journal {
 }
 
 /// Refuses a file whose first frame is another one than that of this header, and one of which a frame is not as it was written.
-fn refuse_other(path: &Path, kind: JournalKind, bytes: &[u8], scan: &Scan, wanted: &[u8]) -> Result<(), ReportError> {
+fn refuse_other(path: &Path, bytes: &[u8], scan: &Scan, wanted: &[u8]) -> Result<(), ReportError> {
     let reason = match (scan.damage(), scan.frames.first()) {
         (Some(damage), _) => damage,
         (None, Some(first)) if first.key().is_empty() => match &bytes[first.value()] {
             found if found == wanted => return Ok(()),
-            found => return Err(header::other(path, kind.analysis, found, wanted)),
+            found => return Err(header::other(path, found, wanted)),
         },
         (None, _) => "it ends in its first frame".to_owned(),
     };
@@ -489,6 +510,26 @@ mod tests {
                 assert!(error.contains(&words) && error.contains(kind.name), "{words}\n{error}");
                 assert_eq!(fs::read(&path).unwrap(), *bytes);
             }
+            // of another analysis
+            let other = KINDS[(KINDS.iter().position(|other| *other == kind).unwrap() + 2) % KINDS.len()];
+            fs::write(dir.path().join(other.name), &whole).unwrap();
+            let error = Journal::open(dir.path(), other, &scene("10"), &part[..1]).unwrap_err().to_string();
+            let words = format!("{of}kind: kind is {} there, and {} here", kind.analysis, other.analysis);
+            assert!(error.contains(&words), "{error}");
+            // of an older version
+            let name =
+                if path.ends_with("run.partial") { kind.name.to_owned() } else { format!("{}.jsonl", kind.name) };
+            kind.discard(dir.path()).unwrap();
+            fs::write(dir.path().join(&name), "{\"peelkit\":\"0.1.0\",\"scene\":{}}\n\u{0}").unwrap();
+            assert!(kind.is_in(dir.path()));
+            let error = Journal::open(dir.path(), kind, &scene("10"), &part[..1]).unwrap_err();
+            assert!(
+                matches!(&error, ReportError::OlderCheckpoint { version: Some(version), .. } if version == "0.1.0")
+            );
+            assert!(
+                error.to_string().contains(&format!("{name} is a checkpoint that peel 0.1.0 has written")),
+                "{error}"
+            );
             kind.discard(dir.path()).unwrap();
             assert!(!kind.is_in(dir.path()) && values(&open(dir.path(), kind)) == [None; 3]);
         }
@@ -541,14 +582,14 @@ mod tests {
     fn a_sequence_is_known_once() {
         let dir = tempfile::tempdir().unwrap();
         let journal = open(dir.path(), JournalKind::RUN);
-        for (name, value) in [("a", 0), ("b", 10), ("a", 1), ("a", 2), ("b", 11)] {
+        for (name, value) in [("a", 0_u32), ("b", 10), ("a", 1), ("a", 2), ("b", 11)] {
             journal.append(&name, &value);
         }
         journal.flush().unwrap();
         let journal = open(dir.path(), JournalKind::RUN);
         let of = |name: &str| journal.sequence::<u32>(&name);
         assert_eq!((of("a"), of("b"), of("b"), of("c")), (vec![0, 1, 2], vec![10, 11], vec![], vec![]));
-        journal.append(&"a", &3);
+        journal.append(&"a", &3_u32);
         journal.flush().unwrap();
         assert_eq!(open(dir.path(), JournalKind::RUN).sequence::<u32>(&"a"), [0, 1, 2, 3]);
     }

@@ -2,6 +2,8 @@
 //! While parts are missing their collection has a file too: by it the same command knows its own folder again.
 
 use super::frames::{Scan, framed};
+use super::header::older_version;
+use super::journal::OLDER_ENDING;
 use crate::error::ReportError;
 use crate::file::{remove, write_whole};
 use crate::sweep_row::SweepRow;
@@ -122,6 +124,15 @@ impl SweepPart {
     /// Fails with [`ReportError::Read`], and with [`ReportError::NoPart`] where it does not begin as a part does, or is not as it was written.
     pub fn read(dir: &Path) -> Result<Option<Self>, ReportError> {
         let path = dir.join(Self::NAME);
+        let older = dir.join(format!("{}{OLDER_ENDING}", Self::NAME));
+        if !path.is_file() && older.is_file() {
+            let version = fs::read(&older).ok().and_then(|bytes| older_version(&bytes));
+            let version = version.map_or("an older version".to_owned(), |version| format!("peel {version}"));
+            return Err(ReportError::NoPart {
+                path: older,
+                reason: format!("{version} has written it in another form"),
+            });
+        }
         if !path.is_file() {
             return Ok(None);
         }
