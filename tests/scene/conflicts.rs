@@ -112,6 +112,8 @@ fn stations_are_refused_by_what_is_wrong_with_them() {
         &stations("{ force = \"10 nm\" }"),
         &["`force` = \"10 nm\", which is not a force with its unit, as \"30 nN\""],
     );
+    assert_says(&stations("{}"), &["`output.stations` has no values"]);
+    assert_says(&stations("{ front = [] }"), &["has no values"]);
     assert_says(&stations("{ front = 10 }"), &["has `front` = 10, no text with a number and its unit"]);
     assert_says(&stations("{ end_rotation = [\"30\"] }"), &["not an angle with its unit, as \"30 deg\""]);
     assert_says(&stations("{ displacement = \"1e300 m\" }"), &["which is not a length"]);

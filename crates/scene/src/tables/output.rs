@@ -98,6 +98,7 @@ fn read(value: &Value) -> Result<Vec<StationAt>, Fault> {
         found if found > MOST => {
             Err(Fault::whole(format!("has {found} values, and a path has at most {MOST} stations")))
         }
+        0 => Err(Fault::whole("has no values".to_owned())),
         _ => Ok(stations),
     }
 }
