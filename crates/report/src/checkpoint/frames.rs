@@ -1,6 +1,8 @@
 //! The frames of which a checkpoint is made: one for each result, so that a torn end is cut off, and a changed byte is found and named.
 //!
-//!     length of the key | length of the value | CRC-32 of both | CRC-32 of these twelve bytes | key | value
+//! ```text
+//! length of the key | length of the value | CRC-32 of both | CRC-32 of these twelve bytes | key | value
+//! ```
 //!
 //! The first four have four bytes each, the lowest first. The first frame of a file has no key: its value is a JSON text that says of what the file is.
 

@@ -1,8 +1,10 @@
 //! What an unfinished command has found: values under keys, in a file that grows while it computes. The next command of the same scene takes them up, bit
 //! for bit.
 //!
-//!     frame 1        what the file is of: program, scene, settings
-//!     frame 2 ...    a key with its value each; of two with the same key the later one counts
+//! ```text
+//! frame 1        what the file is of: analysis, version, settings, scene
+//! frame 2 ...    a key with its value each; of two with the same key the later one counts
+//! ```
 //!
 //! Keys and values are in the format of the crate `postcard`, in which a number keeps all of its bits.
 
