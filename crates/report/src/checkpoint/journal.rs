@@ -76,15 +76,20 @@ impl JournalKind {
         [self.name.to_owned(), format!("{}{OLDER_ENDING}", self.name)]
     }
 
-    /// Refuses the file of an older version in `dir`, which would be computed again beside it, unasked.
-    fn refuse_older(&self, dir: &Path) -> Result<(), ReportError> {
-        let older = self.names().into_iter().map(|name| dir.join(name)).find_map(|path| {
-            let bytes = fs::read(&path).ok()?;
-            let version = header::older_version(&bytes);
-            let is_older = version.is_some() || !path.ends_with(self.name);
-            is_older.then_some(ReportError::OlderCheckpoint { path, analysis: self.analysis, version })
-        });
-        older.map_or(Ok(()), Err)
+    /// Refuses the file of an older version: this one, by its bytes, or one beside it with the name of such a file. What it holds would be computed
+    /// again, unasked.
+    fn refuse_older(&self, path: &Path, bytes: &[u8]) -> Result<(), ReportError> {
+        let older = |path: PathBuf, version| ReportError::OlderCheckpoint { path, analysis: self.analysis, version };
+        let [_, name] = self.names();
+        let beside = path.with_file_name(name);
+        match header::older_version(bytes) {
+            Some(version) => Err(older(path.to_path_buf(), Some(version))),
+            None if beside.is_file() => {
+                let version = fs::read(&beside).ok().and_then(|bytes| header::older_version(&bytes));
+                Err(older(beside, version))
+            }
+            None => Ok(()),
+        }
     }
 }
 
@@ -134,7 +139,6 @@ impl Journal {
     /// Fails with [`ReportError::OtherCheckpoint`], [`ReportError::OlderCheckpoint`], [`ReportError::NoCheckpoint`], [`ReportError::Read`] or
     /// [`ReportError::Write`].
     pub fn open(dir: &Path, kind: JournalKind, scene: &Scene, settings: &[(&str, &str)]) -> Result<Self, ReportError> {
-        kind.refuse_older(dir)?;
         let path = dir.join(kind.name);
         let refuse = |source: io::Error| ReportError::Write { path: path.clone(), source };
         let wanted = header::text(kind.analysis, scene, settings).map_err(refuse)?;
@@ -143,6 +147,7 @@ impl Journal {
             Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
             read => read.map_err(|source| ReportError::Read { path: path.clone(), source })?,
         };
+        kind.refuse_older(&path, &bytes)?;
         // one that was torn in its header holds nothing
         if !growing.header.starts_with(&bytes) || bytes.len() == growing.header.len() {
             let scan = Scan::of(&bytes);
