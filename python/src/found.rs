@@ -41,7 +41,7 @@ where
 {
     let analysis = of(&source.scene).map_err(|why| refusal(py, why))?;
     let watch = Watch::begin();
-    let run = || analysis.run(&Session { watcher: &watch, journal: None, abrupt: true });
+    let run = || analysis.run(&Session { watcher: &watch, keeping: None, abrupt: true });
     let found = py.detach(|| watch.over(run));
     watch.end()?;
     let found =
@@ -102,7 +102,8 @@ pub fn save(
     replace: bool,
 ) -> PyResult<Vec<PathBuf>> {
     let existing = if replace { Existing::Replace } else { Existing::Keep };
-    let written = py.detach(|| OutputFolder::claim(folder, existing)?.write(|dir| outcome.write(scene, dir, command)));
+    let written =
+        py.detach(|| OutputFolder::claim(folder, existing, None)?.write(|dir| outcome.write(scene, dir, command)));
     written.map_err(|error| match unsaved(&error) {
         Some(remedy) => other(py, error.to_string(), remedy),
         None => other(py, error.to_string(), ""),

@@ -20,7 +20,7 @@ impl NativeRows {
     /// The row of sweep.csv of a scene as the text of an object, but for the value of the sweep.
     fn row(&self, py: Python, scene: &NativeScene) -> PyResult<String> {
         let (source, watch) = (scene.source.clone(), Watch::begin());
-        let row = py.detach(|| self.0.row(&source.scene, &Session { watcher: &watch, journal: None, abrupt: true }));
+        let row = py.detach(|| self.0.row(&source.scene, &Session { watcher: &watch, keeping: None, abrupt: true }));
         watch.end()?;
         row.map_err(|error| other(py, format!("the row of the sweep is not written: {error}"), ""))
     }

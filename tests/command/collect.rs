@@ -10,6 +10,8 @@
 //! computed twice counts once and is reported; parts of different sweeps are refused with what differs, and so are results of one part that
 //! differ. Why: on a batch system parts run twice, late, or with a scene that was changed in between, and nobody looks at each.
 
+use crate::frames::{framed, frames};
+use peelkit::study::{Effort, PeelResult};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -126,14 +128,14 @@ fn parts_of_a_plane_make_its_map() {
     assert_same(&whole, &joined);
 }
 
-/// The text of a part whose results have been changed, with the check sums of another machine: `["crc32",RESULT]` a line behind the first.
-fn with_check_sums(text: &str) -> String {
-    let (first, results) = text.split_once('\n').unwrap();
-    let sealed = results.lines().map(|line| {
-        let result = &line[r#"["01234567","#.len()..line.len() - 1];
-        format!("[\"{:08x}\",{result}]\n", crc32fast::hash(result.as_bytes()))
-    });
-    format!("{first}\n{}", sealed.collect::<String>())
+/// The file of a part whose first result was found on so many points, with the check sums of another machine.
+fn on_other_points(bytes: &[u8], points: usize) -> Vec<u8> {
+    let frame = &frames(bytes)[1];
+    let (found, seconds): (PeelResult, f64) = postcard::from_bytes(&bytes[frame.value.clone()]).unwrap();
+    let changed = PeelResult { effort: Effort { points, ..found.effort }, ..found };
+    let value = postcard::to_stdvec(&(changed, seconds)).unwrap();
+    let changed = framed(&bytes[frame.key.clone()], &value);
+    [&bytes[..frame.place.start], &changed, &bytes[frame.place.end..]].concat()
 }
 
 #[test]
@@ -155,20 +157,31 @@ fn what_does_not_belong_together_is_refused_with_the_difference() {
         ends(collect(here, &["p1", folder], &["--out", "none"]), 2, &[difference]);
     }
     // a result that another machine computes differently, and a part of another version
-    let text = fs::read_to_string(here.join("p1/sweep.part.jsonl")).unwrap();
-    let write = |folder: &str, text: &str| {
+    let whole = fs::read(here.join("p1/sweep.part")).unwrap();
+    let write = |folder: &str, name: &str, bytes: &[u8]| {
         fs::create_dir_all(here.join(folder)).unwrap();
-        fs::write(here.join(folder).join("sweep.part.jsonl"), text).unwrap();
+        fs::write(here.join(folder).join(name), bytes).unwrap();
     };
-    let points = text.split("\"points\":").nth(1).unwrap().split(',').next().unwrap();
-    let changed = text.replace(&format!("\"points\":{points}"), "\"points\":7");
-    write("changed", &changed);
-    ends(collect(here, &["p1", "changed"], &[]), 2, &["line 2 does not match its check sum"]);
-    write("differs", &with_check_sums(&changed));
+    let [header, first, ..] = &frames(&whole)[..] else { panic!("a part has a header and a result") };
+    let mut changed = whole.clone();
+    changed[first.value.start + 9] ^= 1;
+    write("changed", "sweep.part", &changed);
+    let place =
+        format!("frame 2 (bytes {} to {}) does not match its check sum", first.place.start, first.place.end - 1);
+    ends(collect(here, &["p1", "changed"], &[]), 2, &[&place]);
+    write("differs", "sweep.part", &on_other_points(&whole, 7));
     ends(collect(here, &["p1", "differs"], &[]), 2, &["different results at strip.length = 90 nm", "on 7 points"]);
-    write("old", &text.replace(env!("CARGO_PKG_VERSION"), "0.0.9"));
+    let text = String::from_utf8(whole[header.value.clone()].to_vec()).unwrap();
+    let old = framed(&[], text.replace(env!("CARGO_PKG_VERSION"), "0.0.9").as_bytes());
+    write("old", "sweep.part", &[&old[..], &whole[header.place.end..]].concat());
     ends(collect(here, &["old"], &[]), 2, &["old was computed by peel 0.0.9"]);
-    write("torn", &text[..text.find('\n').unwrap() / 2]);
+    write("older", "sweep.part.jsonl", text.replace(env!("CARGO_PKG_VERSION"), "0.0.8").as_bytes());
+    ends(
+        collect(here, &["older"], &[]),
+        2,
+        &["older/sweep.part.jsonl is not a part", "peel 0.0.8 has written it in another form"],
+    );
+    write("torn", "sweep.part", &whole[..header.place.end / 2]);
     ends(collect(here, &["torn"], &[]), 2, &["is not a part of a sweep that this version of peel can read"]);
     ends(collect(here, &["p1", "nowhere"], &[]), 2, &["nowhere holds no part of a sweep"]);
     assert!(!here.join("none").exists());
@@ -180,7 +193,7 @@ fn a_part_that_is_still_computed_counts_as_missing() {
     let few = ["--vary", "strip.length", "--values", "90,100 nm"];
     part(dir.path(), &few, 1, 2, "p1");
     fs::create_dir(dir.path().join("p2")).unwrap();
-    fs::write(dir.path().join("p2/sweep.partial.jsonl"), "").unwrap();
+    fs::write(dir.path().join("p2/sweep.partial"), "").unwrap();
     let message = ["parts of 2 that were not given: 2", "p2 is not finished: its own command resumes it"];
     ends(collect(dir.path(), &["p1", "p2"], &["--out", "out"]), 3, &message);
     ends(

@@ -1,18 +1,16 @@
-//! Sweeps that are interrupted or killed, and go on where they stopped.
+//! What a sweep has written when it is interrupted.
 //!
 //!     values:    o--o--o--o | o--o--o--o--o
-//!     run 1      computed   ^ Ctrl-C or kill: the rows to the left are kept in sweep.partial.jsonl
-//!     run 2      taken        computed
+//!     run        computed   ^ Ctrl-C: the rows to the left are in sweep.csv, and kept in sweep.partial
 //!
 //! Parameters: the strip of 100 nm, 40 lengths from 60 to 120 nm, whole peels. The reference is the same sweep without an
 //! interruption, on one core. Expected: exit status 3 and the finished rows in sweep.csv after Ctrl-C, 130 after a second
-//! one; the same table as the reference in every column but `solve_s` after the second run, however the first one ended;
-//! no row of another sweep, and none of its rows lost; nothing left behind. Why: a sweep may take hours, and what is computed should never be lost
-//! nor mixed with something else.
+//! one; fewer values of the same sweep are taken. How every kind of analysis goes on is tested in `resume.rs`. Why: what a sweep has found is of use before
+//! its end.
 #![cfg(unix)]
 
+use crate::frames::frames;
 use std::fs;
-use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::sync::OnceLock;
@@ -20,7 +18,7 @@ use std::time::{Duration, Instant};
 use tempfile::{TempDir, tempdir};
 
 const VALUES: usize = 40;
-const PARTIAL: &str = "out/sweep.partial.jsonl";
+const PARTIAL: &str = "out/sweep.partial";
 const TABLE: &str = "out/sweep.csv";
 
 /// `peel sweep` over the length in this folder, on so many cores.
@@ -79,8 +77,7 @@ fn reference() -> &'static [String] {
 
 /// Finished values in the file of the unfinished sweep.
 fn kept(dir: &Path) -> usize {
-    let text = fs::read_to_string(dir.join(PARTIAL)).unwrap_or_default();
-    text.matches('\n').count().saturating_sub(1)
+    frames(&fs::read(dir.join(PARTIAL)).unwrap_or_default()).len().saturating_sub(1)
 }
 
 #[track_caller]
@@ -154,53 +151,17 @@ fn ctrl_c_writes_what_is_done_and_the_same_command_goes_on() {
 }
 
 #[test]
-fn a_killed_sweep_goes_on_behind_a_torn_line() {
-    let (dir, output) = stopped("KILL");
-    assert_eq!(output.status.signal(), Some(9));
-    assert!(!dir.path().join(TABLE).exists());
-    let done = kept(dir.path());
-    let mut text = fs::read(dir.path().join(PARTIAL)).unwrap();
-    let last = text.iter().rposition(|&byte| byte == b'\n').unwrap();
-    text.truncate(last - 30);
-    fs::write(dir.path().join(PARTIAL), text).unwrap();
-
-    let stdout = finish(dir.path(), "2", &["--json"]);
-    let json: serde_json::Value = serde_json::from_str(&stdout).unwrap();
-    let remark = json["remarks"][0].as_str().unwrap();
-    assert!(remark.starts_with(&format!("{} of {VALUES} values taken", done - 1)), "{remark}");
-    assert_eq!(json["rows"].as_array().unwrap().len(), VALUES);
-    assert_eq!(table(dir.path()), reference());
-}
-
-#[test]
-fn rows_of_another_scene_are_not_taken() {
+fn fewer_values_of_the_same_sweep_are_taken() {
     let (dir, _) = stopped("KILL");
-    let partial = fs::read(dir.path().join(PARTIAL)).unwrap();
-    let one_value = |more: &[&str]| sweep_over(dir.path(), "1", ["60 nm", "60 nm", "1"], more).output().unwrap();
-    let run = |more: &[&str]| {
-        let output = one_value(more);
-        assert!(output.status.success(), "{}", texts(&output).1);
-        assert!(!dir.path().join(PARTIAL).exists());
-        texts(&output).0
-    };
-    let refused = one_value(&["--set", "strip.height=9 nm", "--force"]);
-    let (stdout, stderr) = texts(&refused);
-    assert_eq!((refused.status.code(), stdout.as_str()), (Some(2), ""));
-    assert!(stderr.contains(PARTIAL) && stderr.contains("another scene") && stderr.contains("--fresh"), "{stderr}");
-    assert_eq!(fs::read(dir.path().join(PARTIAL)).unwrap(), partial, "nothing is lost");
-    let thinner = run(&["--set", "strip.height=9 nm", "--fresh"]);
-    assert!(!thinner.contains("remark"), "{thinner}");
-    assert_ne!(table(dir.path())[1], reference()[1], "the row of the thinner strip");
-
-    fs::write(dir.path().join(PARTIAL), &partial).unwrap();
-    let same = run(&[]);
-    assert!(same.contains("1 of 1 values taken"), "fewer values of the same sweep: {same}");
-    assert_eq!(table(dir.path())[1], reference()[1]);
-
-    fs::write(dir.path().join(PARTIAL), &partial).unwrap();
-    let fresh = run(&["--fresh"]);
-    assert!(!fresh.contains("remark"), "{fresh}");
-    assert_eq!(table(dir.path())[1], reference()[1]);
+    let kept = fs::read(dir.path().join(PARTIAL)).unwrap();
+    for (more, taken) in [(&[][..], true), (&["--fresh"], false)] {
+        fs::write(dir.path().join(PARTIAL), &kept).unwrap();
+        let output = sweep_over(dir.path(), "1", ["60 nm", "60 nm", "1"], more).output().unwrap();
+        let (stdout, stderr) = texts(&output);
+        assert!(output.status.success() && !dir.path().join(PARTIAL).exists(), "{stderr}");
+        assert_eq!(stdout.contains("1 of 1 values taken"), taken, "{stdout}");
+        assert_eq!(table(dir.path())[1], reference()[1]);
+    }
 }
 
 /// Values that take long: each of hundreds of times the work that it needs. Where the first signal comes before a value

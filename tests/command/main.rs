@@ -1,10 +1,13 @@
 //! The command `peel`, run as a user runs it.
 
+mod checkpoints;
 mod coarsen;
 mod coarsen_stops;
 mod collect;
 mod documents;
 mod fit;
+#[path = "../shared/frames.rs"]
+mod frames;
 mod friction;
 mod interrupt;
 mod observed;
@@ -13,7 +16,6 @@ mod out_of_plane;
 mod output_folders;
 mod plot;
 mod pull;
-#[cfg(unix)]
 mod resume;
 mod sensitivities;
 mod serve;
@@ -21,7 +23,6 @@ mod seta;
 mod seta_at_a_rate;
 #[cfg(unix)]
 mod seta_pressed;
-mod seta_resume;
 #[cfg(unix)]
 mod seta_table;
 mod space;

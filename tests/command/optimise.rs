@@ -1,17 +1,15 @@
 //! `peel optimise`.
 //!
 //!     scene --> optimum.toml --> peel run: the objective of the optimum
-//!       |
-//!       o--o--o | o--o--o--o      designs; after Ctrl-C the same command takes those to the left from its checkpoint
 //!
-//! Reference: `peel run` of the scene that the command writes; the same command without an interruption. Parameters: the strip of 100 nm, whose EI is free; five
+//! Reference: `peel run` of the scene that the command writes. Parameters: the strip of 100 nm, whose EI is free; five
 //! widths of a strip 10 nm wide. Expected: terminal, summary.json, history.csv and optimum.toml say one thing; what cannot be optimised is refused before
-//! anything is computed, with the key and what would be right; after Ctrl-C exit status 3, the best so far and a checkpoint, which is gone in the end.
+//! anything is computed, with the key and what would be right. How a search that was interrupted goes on is tested in `resume.rs`.
 //! Why: what is optimised is built.
 
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Output};
 
 const SCENE: &str = "[strip]\nlength = \"100 nm\"\nheight = \"10 nm\"\nwidth = \"10 nm\"\nyoungs_modulus = \"2 GPa\"\n\
                      [adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n[optimise]\n";
@@ -39,7 +37,7 @@ fn json(text: &[u8]) -> Value {
 fn finished(dir: &Path, more: &[&str]) -> Value {
     let output = peel(dir, &[&["optimise", "a.toml", "--out", "out"], more].concat());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    assert!(!dir.join("out/optimise.partial.jsonl").exists(), "a finished command leaves nothing behind");
+    assert!(!dir.join("out/optimise.partial").exists(), "a finished command leaves nothing behind");
     for file in ["history.csv", "optimum.toml", "parameters.toml", "optimum.svg", "optimum.png"] {
         assert!(dir.join("out").join(file).exists(), "{file}");
     }
@@ -134,51 +132,4 @@ fn what_cannot_be_optimised_is_refused() {
         assert_eq!(output.status.code(), Some(2), "{text}");
         assert!(text.contains(message), "{text}");
     }
-}
-
-#[cfg(unix)]
-const PARTIAL: &str = "out/optimise.partial.jsonl";
-/// Designs that are known when the command is interrupted, and most commands that are tried.
-#[cfg(unix)]
-const DESIGNS: usize = 4;
-#[cfg(unix)]
-const TRIES: usize = 40;
-
-/// The folder of a command that was interrupted with some designs known; nothing where it was done before that.
-#[cfg(unix)]
-fn interrupted() -> Option<tempfile::TempDir> {
-    let dir = with_scene(WIDTH);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
-    command.current_dir(dir.path()).args(["optimise", "a.toml", "--out", "out"]);
-    let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-    let designs = || std::fs::read_to_string(dir.path().join(PARTIAL)).map_or(0, |text| text.lines().count());
-    while designs() < DESIGNS {
-        if child.try_wait().unwrap().is_some() {
-            return None;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    let interrupt = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(interrupt.success());
-    let code = child.wait().unwrap().code();
-    assert!(matches!(code, Some(0 | 3)), "{code:?}");
-    (code == Some(3)).then_some(dir)
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupted_optimisation_goes_on() {
-    if crate::interrupt::signals_are_ignored() {
-        return;
-    }
-    let reference = finished(with_scene(WIDTH).path(), &[]);
-    // a command may be done before it hears of the interruption: then once more
-    let dir = (0..TRIES).find_map(|_| interrupted()).expect("one of the commands is interrupted");
-    let designs = std::fs::read_to_string(dir.path().join(PARTIAL)).unwrap().lines().count();
-    assert!(dir.path().join("out/summary.json").exists() && designs >= DESIGNS);
-    let other = peel(dir.path(), &["optimise", "a.toml", "--out", "out", "--set", "strip.length=90 nm"]);
-    assert_eq!(other.status.code(), Some(2), "the designs of another scene are not taken");
-    let resumed = finished(dir.path(), &[]);
-    assert_eq!(resumed["after"], reference["after"]);
-    assert_eq!(resumed["searches"], reference["searches"]);
 }

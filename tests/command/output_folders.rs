@@ -7,6 +7,7 @@
 //! person who finds a folder takes it for a result, and a person's files are theirs.
 #![cfg(unix)]
 
+use crate::frames::frames;
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
@@ -219,38 +220,9 @@ fn a_full_disk_loses_no_value_of_a_sweep() {
     assert!(stdout.contains("peak nN"), "{stdout}");
     assert_eq!(
         (listing(dir.path()), listing(&dir.path().join("out"))),
-        (vec!["out".into()], vec!["sweep.partial.jsonl".into()])
+        (vec!["out".into()], vec!["sweep.partial".into()])
     );
     assert!(done(dir.path(), &sweep).contains("3 of 3 values taken"));
-}
-
-#[test]
-fn of_a_checkpoint_in_which_a_digit_has_changed_the_line_is_named_and_computed_again() {
-    let sweep = ["sweep", SCENE, "--vary", "strip.length", "--from", "90 nm", "--to", "100 nm", "--points", "3"];
-    let sweep = [&sweep[..], &["--out", "out"]].concat();
-    let forces = |dir: &Path| {
-        let table = fs::read_to_string(dir.join("out/sweep.csv")).unwrap();
-        let cells = |line: &str| line.split(',').take(4).map(str::to_owned).collect::<Vec<_>>();
-        table.lines().map(cells).collect::<Vec<_>>()
-    };
-    let whole = tempdir().unwrap();
-    done(whole.path(), &sweep);
-    let dir = tempdir().unwrap();
-    assert_eq!(on_a_small_disk(dir.path(), &sweep).0, Some(1));
-    let partial = dir.path().join("out/sweep.partial.jsonl");
-    let text = fs::read_to_string(&partial).unwrap();
-    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let digit = 8 + lines[2].find("\"force\":").unwrap() + 3;
-    let changed = if &lines[2][digit..=digit] == "3" { "4" } else { "3" };
-    lines[2].replace_range(digit..=digit, changed);
-    fs::write(&partial, lines.join("\n") + "\n").unwrap();
-    let (status, stdout, stderr) = texts(&peel(dir.path(), &sweep).output().unwrap());
-    assert_eq!(
-        (status, stderr.as_str()),
-        (Some(0), "warning: out/sweep.partial.jsonl: line 3 does not match its check sum; it is computed again\n")
-    );
-    assert!(stdout.contains("2 of 3 values taken from an earlier"), "{stdout}");
-    assert_eq!(forces(dir.path()), forces(whole.path()));
 }
 
 // ---------------------------------------------------------------------------------------------------------------
@@ -260,14 +232,15 @@ fn of_a_checkpoint_in_which_a_digit_has_changed_the_line_is_named_and_computed_a
 /// A sweep into out/ that takes an hour, once it has kept a value.
 fn long_sweep(dir: &Path) -> Child {
     let child = peel(dir, &[&LONG_SWEEP[..], &["--out", "out"]].concat()).spawn().unwrap();
-    wait_for_lines(dir, 2);
+    wait_for_frames(dir, 2);
     child
 }
 
-fn wait_for_lines(dir: &Path, lines: usize) {
+/// Waits until its file has so many frames.
+fn wait_for_frames(dir: &Path, count: usize) {
     let began = Instant::now();
-    let kept = || fs::read_to_string(dir.join("out/sweep.partial.jsonl")).unwrap_or_default().lines().count();
-    while kept() < lines {
+    let kept = || frames(&fs::read(dir.join("out/sweep.partial")).unwrap_or_default()).len();
+    while kept() < count {
         assert!(began.elapsed() < Duration::from_secs(120), "waited in vain for the checkpoint to grow");
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -295,9 +268,9 @@ fn a_folder_that_is_removed_meanwhile_costs_nothing() {
     let dir = tempdir().unwrap();
     let whole = [&LONG_SWEEP[..9], &["300", "--out", "out"]].concat();
     let sweep = peel(dir.path(), &whole).spawn().unwrap();
-    wait_for_lines(dir.path(), 10);
+    wait_for_frames(dir.path(), 10);
     fs::remove_dir_all(dir.path().join("out")).unwrap();
-    wait_for_lines(dir.path(), 11);
+    wait_for_frames(dir.path(), 11);
     assert_eq!(sweep.wait_with_output().unwrap().status.code(), Some(0));
     let rows = fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap().lines().count();
     assert_eq!(rows, 301, "a header and every value");

@@ -144,7 +144,7 @@ fn setae_are_swept() {
     let table = || fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
     assert_eq!(table().lines().count(), 3);
     assert!(table().starts_with("value,value_2,seta.shaft_angle_deg,seta.tip_pitch_nm,peak_force_nN"), "{}", table());
-    assert!(!dir.path().join("out/sweep.partial.jsonl").exists() && dir.path().join("out/sweep.svg").exists());
+    assert!(!dir.path().join("out/sweep.partial").exists() && dir.path().join("out/sweep.svg").exists());
 }
 
 /// Few samples: their number, and that each is that of the scene with its values.

@@ -8,6 +8,8 @@
 //! and in two; files as the help lists them; exit status 0, 2 for what is refused, 3 for what is cut short. Why: a sample may take hours, and neither the
 //! machine nor an interruption may change a digit.
 
+#[cfg(unix)]
+use crate::frames::frames;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -165,8 +167,8 @@ fn samples_that_are_cut_short_are_counted() {
 #[test]
 fn what_is_interrupted_goes_on_with_more_samples() {
     let dir = tempdir().unwrap();
-    let partial = dir.path().join("out/uncertainty.partial.jsonl");
-    let kept = || fs::read_to_string(&partial).unwrap_or_default().matches('\n').count().saturating_sub(1);
+    let partial = dir.path().join("out/uncertainty.partial");
+    let kept = || frames(&fs::read(&partial).unwrap_or_default()).len().saturating_sub(1);
     let long = ["--out", "out", "--set", "uncertainty.samples=4000"];
     let mut child = peel(dir.path(), "1", &long).spawn().unwrap();
     while kept() < 20 && child.try_wait().unwrap().is_none() {

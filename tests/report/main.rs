@@ -1,6 +1,8 @@
 //! What a user gets: files, pictures, checkpoints; and that garbled scenes get no others.
 
 mod animation;
+#[path = "../shared/frames.rs"]
+mod frames;
 mod garbled;
 mod in_space;
 mod outputs;

@@ -9,16 +9,16 @@
 //! Parameters: strips of 100 and 30 000 nm, free and held in both ways, full and force-only, at 1e-6 and 1e-9, on one mesh or on
 //! several. The reference is a run without an interruption. Expected: summary.json but for `solve_s`, curve.csv and
 //! limit_points.csv equal to the byte, wherever and however often the runs before were left; every point is computed once; the
-//! points of another scene are refused and kept; of a torn file the whole points are taken. With the command: exit status 3 after
-//! Ctrl-C and for a killed run what the sweep promises, nothing left behind in the end, and nothing at all kept of a short
-//! run. Why: points follow from scene and mesh alone, clock and signals only say where a path is left.
+//! points of another scene are refused and kept; of a torn file the whole points are taken; any changed byte is found and named with its
+//! frame. How commands go on is tested in `tests/command/resume.rs`. Why: points follow from scene and mesh alone, clock and signals only say where a path is left.
 
+use crate::frames::frames;
 use crate::strip::{STRIP_SCENE, paper_strip, with_grip, with_load};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{Accuracy, Checkpoint, Peel, Stage, StopReason, peel, peel_on};
-use peelkit_report::{DamagedPart, PartialFile, PartialRun, PeelSummary, ReportError, write_curve, write_limit_points};
+use peelkit_report::{Journal, JournalKind, PeelSummary, ReportError, write_curve, write_limit_points};
 use peelkit_scene::{BoundsTable, Scene};
 use std::cell::RefCell;
 use std::fs;
@@ -56,15 +56,21 @@ fn outputs(scene: &Scene, peel: &Peel) -> Vec<Vec<u8>> {
     files.iter().map(|file| fs::read(file).unwrap()).collect()
 }
 
+/// The journal of a run, whose points do not depend on its bounds.
+fn open(dir: &Path, scene: &Scene) -> Result<Journal, ReportError> {
+    let unbound = Scene { bounds: BoundsTable::default(), ..scene.clone() };
+    Journal::open(dir, JournalKind::RUN, &unbound, &[])
+}
+
 /// A run that goes on from what `dir` keeps, is left after `most` further points, and how many it has computed.
 fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
-    let partial = PartialRun::open(dir, scene).unwrap();
+    let journal = open(dir, scene).unwrap();
     let computed = Arc::new(AtomicUsize::new(0));
     let checkpoint = Checkpoint {
-        taken: &|options| partial.taken(options),
+        taken: &|options| journal.sequence(options),
         keep: &|options, waypoint| {
             computed.fetch_add(1, Ordering::Relaxed);
-            partial.keep(options, waypoint);
+            journal.append(options, &waypoint);
         },
     };
     let so_far = Arc::clone(&computed);
@@ -72,7 +78,7 @@ fn run(dir: &Path, scene: &Scene, most: usize) -> (Peel, usize) {
         (stage == Stage::Path && so_far.load(Ordering::Relaxed) >= most).then_some(StopReason::Interrupted)
     });
     let peel = peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint);
-    partial.write_all().unwrap();
+    journal.flush().unwrap();
     (peel, computed.load(Ordering::Relaxed))
 }
 
@@ -122,35 +128,58 @@ fn of_a_torn_file_the_whole_points_are_taken() {
     let scene = scene(paper_strip(100.0, 1.0), 1e-6);
     let reference = outputs(&scene, &whole(&scene));
     let dir = tempdir().unwrap();
-    let file = dir.path().join(PartialRun::NAME);
+    let file = dir.path().join(JournalKind::RUN.name);
     run(dir.path(), &scene, 12);
     let kept = fs::read(&file).unwrap();
-    let header = 1 + kept.iter().position(|&byte| byte == b'\n').unwrap();
-    let point = (kept.len() - header) / 12;
-    let torn = |text: &[u8]| {
-        fs::write(&file, text).unwrap();
-        let taken = PartialRun::open(dir.path(), &scene).unwrap().points_taken();
+    let points = &frames(&kept)[1..];
+    assert_eq!(points.len(), 12);
+    let torn = |bytes: &[u8], taken: usize| {
+        fs::write(&file, bytes).unwrap();
+        assert_eq!(open(dir.path(), &scene).unwrap().entries(), taken);
         // what is appended does not continue the torn point
         run(dir.path(), &scene, 3);
-        assert_eq!(PartialRun::open(dir.path(), &scene).unwrap().points_taken(), taken + 3);
+        assert_eq!(open(dir.path(), &scene).unwrap().entries(), taken + 3);
         let (peel, _) = run(dir.path(), &scene, usize::MAX);
         assert_eq!(outputs(&scene, &peel), reference);
-        taken
     };
-    for (left_out, taken) in [(0, 12), (1, 11), (point - 5, 11), (3 * point / 2, 10), (kept.len() - header - 3, 0)] {
-        assert_eq!(torn(&kept[..kept.len() - left_out]), taken, "{left_out} bytes are missing");
+    for (taken, point) in points.iter().enumerate() {
+        let ends = [point.place.start, point.place.start + 1, point.key.start, point.value.start, point.place.end - 1];
+        // every place of one point, and the border of each
+        for end in ends.into_iter().take(if taken == 5 { ends.len() } else { 1 }) {
+            torn(&kept[..end], taken);
+        }
     }
-    assert_eq!(
-        torn(&[kept.as_slice(), &[0; 100]].concat()),
-        12,
-        "zeros behind the end, as a crash of the machine leaves"
-    );
-    let mut turned = kept.clone();
-    turned[header + 5 * point + point / 2] ^= 1;
-    fs::write(&file, &turned).unwrap();
-    let opened = PartialRun::open(dir.path(), &scene).unwrap();
-    assert_eq!(opened.damaged().map(|damaged| &damaged.what), Some(&DamagedPart::PointsFrom(6)));
-    assert_eq!(torn(&turned), 5, "a bit has turned in the sixth point");
+    torn(&[kept.as_slice(), &[0; 100]].concat(), 12);
+}
+
+/// A file of three points as it may come from a disk: cut anywhere, and any byte changed to anything.
+#[test]
+fn no_file_is_taken_for_another_and_none_stops_the_program() {
+    let scene = scene(paper_strip(100.0, 1.0), 1e-6);
+    let dir = tempdir().unwrap();
+    let file = dir.path().join(JournalKind::RUN.name);
+    run(dir.path(), &scene, 3);
+    let whole = fs::read(&file).unwrap();
+    let of = frames(&whole);
+    for end in (0..whole.len()).step_by(7).chain(of.iter().flat_map(|frame| [frame.place.start, frame.place.end])) {
+        fs::write(&file, &whole[..end]).unwrap();
+        let taken = of[1..].iter().filter(|frame| frame.place.end <= end).count();
+        assert_eq!(open(dir.path(), &scene).unwrap().entries(), taken, "cut behind {end} bytes");
+    }
+    for at in 0..whole.len() {
+        for byte in [0, 0xff, whole[at] ^ 1, whole[at].wrapping_add(1)] {
+            let mut changed = whole.clone();
+            changed[at] = byte;
+            if changed == whole {
+                continue;
+            }
+            fs::write(&file, &changed).unwrap();
+            let error = open(dir.path(), &scene).expect_err("a changed byte is found").to_string();
+            let (number, frame) = of.iter().enumerate().find(|(_, frame)| frame.place.contains(&at)).unwrap();
+            let place = format!("frame {} (bytes {} to {})", number + 1, frame.place.start, frame.place.end - 1);
+            assert!(error.contains(&place) && error.contains("run.partial"), "byte {at}: {error}");
+        }
+    }
 }
 
 #[test]
@@ -159,16 +188,17 @@ fn a_file_that_is_removed_meanwhile_is_written_again_with_all_of_its_points() {
     let dir = tempdir().unwrap();
     let out = dir.path().join("out");
     run(&out, &scene, 5);
-    let partial = PartialRun::open(&out, &scene).unwrap();
+    let journal = open(&out, &scene).unwrap();
     let (options, waypoint) = first_point(&scene);
+    assert_eq!(journal.sequence::<Waypoint>(&options).len(), 5);
     for _ in 0..2 {
-        partial.keep(&options, waypoint.clone());
-        assert!(partial.write_all().unwrap());
+        journal.append(&options, &waypoint);
+        assert!(journal.flush().unwrap());
         fs::remove_dir_all(&out).unwrap();
     }
-    partial.keep(&options, waypoint);
-    assert!(partial.write_all().unwrap());
-    assert_eq!(PartialRun::open(&out, &scene).unwrap().points_taken(), 8);
+    journal.append(&options, &waypoint);
+    assert!(journal.flush().unwrap());
+    assert_eq!(open(&out, &scene).unwrap().entries(), 8);
 }
 
 fn first_point(scene: &Scene) -> (PathOptions, Waypoint) {
@@ -185,28 +215,25 @@ fn first_point(scene: &Scene) -> (PathOptions, Waypoint) {
 }
 
 #[test]
-fn the_points_of_another_scene_or_version_are_refused_and_kept() {
+fn the_points_of_another_scene_are_refused_and_kept() {
     let scene = scene(paper_strip(100.0, 1.0), 1e-6);
     let dir = tempdir().unwrap();
-    let file = dir.path().join(PartialRun::NAME);
+    let file = dir.path().join(JournalKind::RUN.name);
     run(dir.path(), &scene, 5);
     let kept = fs::read(&file).unwrap();
-    let refused = |scene: &Scene, text: &[u8]| {
-        fs::write(&file, text).unwrap();
-        let error = PartialRun::open(dir.path(), scene).unwrap_err();
-        assert!(matches!(&error, ReportError::OtherRun { path } if *path == file), "{error}");
-        assert_eq!(fs::read(&file).unwrap(), text);
-    };
-    refused(&Scene { accuracy: Accuracy::to(1e-7), ..scene.clone() }, &kept);
-    refused(&Scene { model: paper_strip(101.0, 1.0).into(), ..scene.clone() }, &kept);
-    let version = kept.windows(5).position(|part| part == env!("CARGO_PKG_VERSION").as_bytes()).unwrap();
-    let mut other = kept.clone();
-    other[version] = b'9';
-    refused(&scene, &other);
-    refused(&scene, b"garbled");
-    refused(&scene, b"");
-    PartialRun::discard(dir.path()).unwrap();
-    assert!(!PartialRun::is_in(dir.path()));
-    assert_eq!(PartialRun::open(dir.path(), &scene).unwrap().points_taken(), 0);
-    assert!(!PartialRun::is_in(dir.path()), "nothing is written before there is a point");
+    for (other, differs) in [
+        (Scene { accuracy: Accuracy::to(1e-7), ..scene.clone() }, "accuracy.relative is 1e-6 there, and 1e-7 here"),
+        (
+            Scene { model: paper_strip(101.0, 1.0).into(), ..scene.clone() },
+            "strip.length_nm is 100.0 there, and 101.0 here",
+        ),
+    ] {
+        let error = open(dir.path(), &other).unwrap_err().to_string();
+        assert!(error.contains(differs), "{error}");
+        assert_eq!(fs::read(&file).unwrap(), kept);
+    }
+    JournalKind::RUN.discard(dir.path()).unwrap();
+    assert!(!JournalKind::RUN.is_in(dir.path()));
+    assert_eq!(open(dir.path(), &scene).unwrap().entries(), 0);
+    assert!(!JournalKind::RUN.is_in(dir.path()), "nothing is written before there is a point");
 }

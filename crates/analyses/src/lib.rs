@@ -25,6 +25,6 @@ pub use outcome::{Analysis, End, Outcome, Refusal};
 pub use run::{
     Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
 };
-pub use session::{Cost, Journal, Nobody, Parts, Progress, Session, Watcher};
+pub use session::{Cost, Keeping, Nobody, Parts, Progress, Session, Watcher};
 pub use sweep::{Axis, Case, Cases, Rows, SceneRows, Sweep, SweepOutcome, place};
 pub use uncertainty::{Uncertainty, UncertaintyOutcome};

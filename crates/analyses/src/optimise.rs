@@ -7,11 +7,11 @@ use peelkit::study::optimisation::{
     DesignNumber, DesignProblem, Evaluation, NoOptimum, NumberBy, Objective, OptimisationOptions, Optimum, optimise,
 };
 use peelkit::study::{PeelQuantity, StopCriteria};
-use peelkit_report::{self as report, OptimisationSummary, PartialFile, PartialOptimisation, ReportError, timed};
+use peelkit_report::{self as report, Journal, JournalKind, OptimisationSummary, ReportError, timed};
 use peelkit_scene::{OptimisationTable, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 /// The search for the best design of a scene.
 pub struct Optimisation<'s> {
@@ -69,32 +69,28 @@ pub struct OptimisationOutcome {
     pub seconds: f64,
     /// Designs of an earlier run
     pub taken: usize,
-    kept: Option<PathBuf>,
+    journal: Journal,
 }
 
 impl Analysis for Optimisation<'_> {
     type Found = OptimisationOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
-        Some(PartialOptimisation::NAME)
+    fn journal(&self) -> Option<JournalKind> {
+        Some(JournalKind::OPTIMISATION)
     }
 
     fn run(&self, session: &Session) -> Result<OptimisationOutcome, Refusal> {
         let Self { scene, table, problem } = self;
-        let partial = session.open(|dir| PartialOptimisation::open(dir, scene))?;
+        let journal = session.open(JournalKind::OPTIMISATION, scene, &[])?;
         session.watcher.see(Progress::Begin(table.starts * table.evaluations));
-        // the first design that could not be kept
-        let trouble = OnceLock::new();
         let keep = |design: &Evaluation| {
             session.watcher.see(Progress::Done);
-            if let Some(Err(error)) = partial.as_ref().map(|partial| partial.keep(design)) {
-                let _ = trouble.set(error);
-            }
+            journal.keep(&(&design.coordinates, design.with_gradient), design);
         };
         let options = OptimisationOptions {
             stop: &|| session.stop_of_one(scene),
-            go_on: &|| !session.watcher.asked() && trouble.get().is_none(),
-            known: &|coordinates| partial.as_ref()?.found(coordinates).cloned(),
+            go_on: &|| !session.watcher.asked() && journal.works(),
+            known: &|coordinates, with_gradient| journal.known(&(coordinates, with_gradient)),
             keep: &|_, design| keep(design),
             ..table.options(scene.accuracy)
         };
@@ -112,8 +108,8 @@ impl Analysis for Optimisation<'_> {
                 optimise(&DesignProblem { number: NumberBy::Values(Box::new(number)), ..problem }, &options)
             }
         });
-        let taken = partial.as_ref().map_or(0, PartialOptimisation::taken);
-        trouble.into_inner().map_or(Ok(()), Err)?;
+        let taken = journal.entries();
+        journal.check()?;
         let optimum = found.map_err(|error| match error {
             NoOptimum::AllBad { .. } => Refusal::cut_short(error),
             error => Refusal::scene(
@@ -121,8 +117,7 @@ impl Analysis for Optimisation<'_> {
                 "Change the table [optimise]; `peel run` of the same scene shows what its peel has.",
             ),
         })?;
-        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
-        Ok(OptimisationOutcome { problem: Arc::clone(problem), optimum, seconds, taken, kept })
+        Ok(OptimisationOutcome { problem: Arc::clone(problem), optimum, seconds, taken, journal })
     }
 }
 
@@ -164,10 +159,7 @@ impl Outcome for OptimisationOutcome {
         End::Interrupted { done: Some(format!("{designs} designs are evaluated")), short: None }
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
-        match self.kept.as_ref().filter(|_| written && !self.optimum.unfinished) {
-            Some(folder) => PartialOptimisation::discard(folder).map(|()| None),
-            None => Ok(None),
-        }
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        Some((&self.journal, !self.optimum.unfinished))
     }
 }

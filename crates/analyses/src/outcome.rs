@@ -1,7 +1,7 @@
 //! What an analysis is asked, and what it answers.
 
 use crate::session::Session;
-use peelkit_report::ReportError;
+use peelkit_report::{Journal, JournalKind, ReportError};
 use peelkit_scene::{Scene, ValueError};
 use std::fmt::{self, Display};
 use std::io;
@@ -12,8 +12,8 @@ pub trait Analysis {
     /// What it finds
     type Found: Outcome;
 
-    /// The name of the file in which it keeps what it finds while it computes; none where it keeps nothing.
-    fn checkpoint(&self) -> Option<&'static str> {
+    /// How it keeps what it finds while it computes; none where it keeps nothing.
+    fn journal(&self) -> Option<JournalKind> {
         None
     }
 
@@ -43,12 +43,17 @@ pub trait Outcome {
         true
     }
 
-    /// To be asked once the files are written, or were not: what is finished and written needs its checkpoint no more, and of what is not finished all
+    /// Where it was kept, and whether all of it is computed.
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        None
+    }
+
+    /// To be asked once the files are written, or were not: what is finished and written needs its journal no more, and of what is not finished all
     /// is kept; where, in words.
     ///
     /// Fails with [`ReportError::Write`].
-    fn settle(&mut self, _written: bool) -> Result<Option<String>, ReportError> {
-        Ok(None)
+    fn settle(&self, written: bool) -> Result<Option<String>, ReportError> {
+        self.kept().map_or(Ok(None), |(journal, is_finished)| journal.settle(is_finished, written))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{SetaPoint, StopCriteria};
-use peelkit_report::{Damaged, PartialFile, ReportError};
+use peelkit_report::{Journal, JournalKind, ReportError};
 use peelkit_scene::Scene;
 use std::fmt;
 use std::path::Path;
@@ -51,8 +51,6 @@ pub enum Progress<'p> {
     Done,
     /// What is computed again and again from now on costs this.
     Cost(Cost),
-    /// Something of what an earlier run has kept is not as it was written, and is computed again.
-    Damaged(&'p Damaged),
 }
 
 /// What an analysis costs that has no derivatives, as soon as the first of its computations is done.
@@ -91,7 +89,7 @@ impl fmt::Display for Cost {
 
 /// Where an analysis keeps what it finds while it computes, so that the next one goes on from there.
 #[derive(Clone, Copy, Debug)]
-pub struct Journal<'s> {
+pub struct Keeping<'s> {
     /// The folder of its outputs
     pub folder: &'s Path,
     /// Whether what an earlier run has kept is discarded
@@ -104,7 +102,7 @@ pub struct Session<'s> {
     /// Looks on
     pub watcher: &'s dyn Watcher,
     /// Where what is found is kept, if it is
-    pub journal: Option<Journal<'s>>,
+    pub keeping: Option<Keeping<'s>>,
     /// Whether a sample, a design or a value that is under way ends as well where it was asked to stop; else it is computed to its end,
     /// because it is kept
     pub abrupt: bool,
@@ -112,7 +110,7 @@ pub struct Session<'s> {
 
 impl Session<'_> {
     /// A computation that nobody looks at, within the bounds of its scene, of which nothing is kept.
-    pub const PLAIN: Session<'static> = Session { watcher: &Nobody, journal: None, abrupt: false };
+    pub const PLAIN: Session<'static> = Session { watcher: &Nobody, keeping: None, abrupt: false };
 
     /// The stop criteria of something that begins now: the bounds of its scene, and where it was asked to stop.
     pub fn stop(&self, scene: &Scene) -> StopCriteria {
@@ -128,19 +126,17 @@ impl Session<'_> {
         self.watcher.see(Progress::Stage(next));
     }
 
-    /// The file in which what is found is kept, if it is, with what an earlier run has left there.
-    pub(crate) fn open<P: PartialFile>(
+    /// Where what is found is kept, with what an earlier run of this scene with these settings has left there; nowhere if nothing is to be kept.
+    pub(crate) fn open(
         &self,
-        open: impl FnOnce(&Path) -> Result<P, ReportError>,
-    ) -> Result<Option<P>, ReportError> {
-        let Some(Journal { folder, fresh }) = self.journal else { return Ok(None) };
+        kind: JournalKind,
+        scene: &Scene,
+        settings: &[(&str, &str)],
+    ) -> Result<Journal, ReportError> {
+        let Some(Keeping { folder, fresh }) = self.keeping else { return Ok(Journal::nowhere()) };
         if fresh {
-            P::discard(folder)?;
+            kind.discard(folder)?;
         }
-        let partial = open(folder)?;
-        if let Some(damaged) = partial.damaged() {
-            self.watcher.see(Progress::Damaged(damaged));
-        }
-        Ok(Some(partial))
+        Journal::open(folder, kind, scene, settings)
     }
 }

@@ -8,7 +8,6 @@ use peelkit::study::coarsening::{
 };
 use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaPullOff, SetaResult, SpatulaCurveError, StopCriteria};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
-use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
@@ -104,15 +103,15 @@ impl TipLawOf {
     }
 
     /// What tells a table from another one, if there is one.
-    pub fn fingerprint(&self) -> Option<u64> {
+    pub fn fingerprint(&self) -> Option<u32> {
         let table = self.growing()?.table();
-        let mut hasher = DefaultHasher::new();
+        let mut hasher = crc32fast::Hasher::new();
         for node in [&table.attached, &table.detached].into_iter().flat_map(|sheet| &sheet.table().nodes) {
             for number in [node.normal, node.slope, node.energy, node.force[0], node.force[2]] {
-                hasher.write_u64(number.to_bits());
+                hasher.update(&number.to_bits().to_le_bytes());
             }
         }
-        Some(hasher.finish())
+        Some(hasher.finalize())
     }
 
     /// The table as it is now, if there is one.

@@ -8,11 +8,10 @@ use peelkit::study::uncertainty::{
     self, ALONE_AT, Analysis as Found, DerivativesBy, Design, SamplePlace, Sampled, SampledPeel, one_at_a_time,
     taylor_by_differences, taylor_polynomials,
 };
-use peelkit_report::{self as report, PartialFile, PartialUncertainty, ReportError, UncertaintySummary, timed};
+use peelkit_report::{self as report, Journal, JournalKind, ReportError, UncertaintySummary, timed};
 use peelkit_scene::{Scene, UncertaintyTable};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// What the distributions of a scene make of its results, whatever it describes.
@@ -47,22 +46,25 @@ pub struct UncertaintyOutcome {
     pub seconds: f64,
     /// Samples of an earlier run
     pub taken: usize,
-    kept: Option<PathBuf>,
+    journal: Journal,
 }
 
 impl Analysis for Uncertainty<'_> {
     type Found = UncertaintyOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
-        Some(PartialUncertainty::NAME)
+    fn journal(&self) -> Option<JournalKind> {
+        Some(JournalKind::SAMPLE)
     }
 
     fn run(&self, session: &Session) -> Result<UncertaintyOutcome, Refusal> {
         let Self { scene, table, .. } = *self;
-        let partial = session.open(|dir| PartialUncertainty::open(dir, scene))?;
+        // a sample depends on the seed and its place, not on how many there are
+        let mut one_of_many = scene.clone();
+        one_of_many.uncertainty.iter_mut().for_each(|table| table.samples = 0);
+        let journal = session.open(JournalKind::SAMPLE, &one_of_many, &[])?;
         session.watcher.see(Progress::Begin(self.design.samples()));
         let taken = AtomicUsize::new(0);
-        let samples = Samples { design: &self.design, partial: partial.as_ref(), taken: &taken, session };
+        let samples = Samples { design: &self.design, journal: &journal, taken: &taken, session };
         // a sample that is kept is computed to its end; what is beside the samples is not kept
         let one: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop_of_one(scene);
         let beside: &(dyn Fn() -> StopCriteria + Sync) = &|| session.stop(scene);
@@ -87,8 +89,7 @@ impl Analysis for Uncertainty<'_> {
                 self.analysis((taylors, DerivativesBy::Differences), &beside, &with(one), &samples)
             }
         });
-        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
-        Ok(UncertaintyOutcome { analysis: analysis?, seconds, taken: taken.into_inner(), kept })
+        Ok(UncertaintyOutcome { analysis: analysis?, seconds, taken: taken.into_inner(), journal })
     }
 }
 
@@ -116,7 +117,7 @@ impl Uncertainty<'_> {
 /// The samples of one run.
 struct Samples<'s> {
     design: &'s Design,
-    partial: Option<&'s PartialUncertainty>,
+    journal: &'s Journal,
     /// Samples of an earlier run
     taken: &'s AtomicUsize,
     session: &'s Session<'s>,
@@ -127,24 +128,21 @@ impl Samples<'_> {
     ///
     /// Fails where one cannot be kept.
     fn of(&self, one: &dyn Sampled) -> Result<Vec<Option<uncertainty::Outcome>>, ReportError> {
-        let Self { design, partial, taken, session } = *self;
-        let trouble = OnceLock::new();
+        let Self { design, journal, taken, session } = *self;
         let run = |at: SamplePlace| {
-            if let Some(found) = partial.and_then(|partial| partial.found(at)) {
+            let key = [at.replicate, at.point, at.row];
+            if let Some(found) = journal.known(&key) {
                 taken.fetch_add(1, Ordering::Relaxed);
                 session.watcher.see(Progress::Known);
-                return found.clone();
+                return found;
             }
             let outcome = one.outcome(&design.inputs(at));
-            if let Some(Err(error)) = partial.map(|partial| partial.keep(at, &outcome)) {
-                // only the first one is reported
-                let _ = trouble.set(error);
-            }
+            journal.keep(&key, &outcome);
             session.watcher.see(Progress::Done);
             outcome
         };
-        let outcomes = uncertainty::sample(design, &|| !session.watcher.asked() && trouble.get().is_none(), &run);
-        trouble.into_inner().map_or(Ok(outcomes), Err)
+        let outcomes = uncertainty::sample(design, &|| !session.watcher.asked() && journal.works(), &run);
+        journal.check().map(|()| outcomes)
     }
 }
 
@@ -189,11 +187,8 @@ impl Outcome for UncertaintyOutcome {
         self.analysis.computed() > 0
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+    fn kept(&self) -> Option<(&Journal, bool)> {
         let [computed, samples] = self.done();
-        match self.kept.as_ref().filter(|_| written && computed == samples) {
-            Some(folder) => PartialUncertainty::discard(folder).map(|()| None),
-            None => Ok(None),
-        }
+        Some((&self.journal, computed == samples))
     }
 }

@@ -3,11 +3,11 @@
 
 use super::command_line::command_line;
 use super::interrupt::Interrupt;
-use super::output::{OutArgs, list_files, note, say, warn};
+use super::output::{OutArgs, list_files, note, say};
 use super::progress::Bar;
 use super::stop::Stop;
 use peelkit::study::StopCriteria;
-use peelkit_analyses::{Analysis, End, Journal, Outcome, Progress, Refusal, Session, Watcher};
+use peelkit_analyses::{Analysis, End, Keeping, Outcome, Progress, Refusal, Session, Watcher};
 use peelkit_scene::Scene;
 use std::path::PathBuf;
 
@@ -39,7 +39,6 @@ struct Eyes {
 impl Watcher for Eyes {
     fn see(&self, progress: Progress) {
         match progress {
-            Progress::Damaged(damaged) => warn(damaged),
             Progress::Cost(cost) => self.bar.aside(|| note(cost)),
             progress => self.bar.show(progress),
         }
@@ -67,13 +66,13 @@ impl Drive<'_> {
             Some(answer) => Interrupt::listen(bar.above(answer)),
             None => Interrupt::deaf(),
         };
-        let output = folder.as_ref().map(|folder| out.claim(folder, analysis.checkpoint())).transpose()?;
-        let journal = folder.as_ref().filter(|_| analysis.checkpoint().is_some());
-        let journal = journal.map(|folder| Journal { folder, fresh });
+        let output = folder.as_ref().map(|folder| out.claim(folder, analysis.journal())).transpose()?;
+        let keeping = folder.as_ref().filter(|_| analysis.journal().is_some());
+        let keeping = keeping.map(|folder| Keeping { folder, fresh });
         let eyes = Eyes { bar, interrupt };
-        let found = analysis.run(&Session { watcher: &eyes, journal, abrupt: false });
+        let found = analysis.run(&Session { watcher: &eyes, keeping, abrupt: false });
         eyes.bar.finish();
-        let mut found = found.map_err(|why| Stop::refused(scene, why))?;
+        let found = found.map_err(|why| Stop::refused(scene, why))?;
         let command = command_line();
         let output = output.filter(|_| found.is_written());
         let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(scene, dir, &command)));
@@ -89,7 +88,7 @@ impl Drive<'_> {
             say(&format!("{}\n{}{left}", text(&found), list_files(&files)))?;
         }
         files?;
-        ended(found.end(), left, journal.is_some())
+        ended(found.end(), left, keeping.is_some())
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Figures {
 pub fn figures(args: &Figures) -> Result<(), Stop> {
     let folder = args.out.out.as_deref().unwrap_or(Path::new("figures"));
     let folder = match holds_figures(folder) {
-        true => OutputFolder::claim(folder, Existing::Replace)?,
+        true => OutputFolder::claim(folder, Existing::Replace, None)?,
         false => args.out.claim(folder, None)?,
     };
     let bar = progress_bar(0);

@@ -104,8 +104,8 @@ Resuming a run: give the same command again. It also resumes a run that was kill
 The points in run.partial are used again; the rest is computed. The files are then those of an uninterrupted run, bit
 for bit, except for solve_s. The points of a path depend on the scene alone. So [bounds] may be changed, and
 bounds.time starts anew. Limit points, error bounds and the test of --observed are computed again. A folder with an
-unfinished run needs no --force. The checkpoint of another scene or version is refused. --fresh discards the
-checkpoint. Runs that write no files (--json without --out) keep none.
+unfinished run needs no --force. The checkpoint of another scene or version, and one in which a byte has
+changed, is refused. --fresh discards the checkpoint. Runs that write no files (--json without --out) keep none.
 
 How a path ends:
   detached     no point of the strip is nearer than the adhesion acts
@@ -155,17 +155,18 @@ Files:
                      `work_to`: whether work_aJ goes to the first jump or to the end of a path without one
   sweep.svg, .png    these results against the varied value; of two keys, maps of peak force and work over their plane
   parameters.toml    the scene before the sweep, with what --set has changed, and the command
-  sweep.partial.jsonl  checkpoint while the sweep runs: each finished value, written at once
-  sweep.part.jsonl   with --part, in place of the pictures: what peel collect puts together
+  sweep.partial      checkpoint while the sweep runs: each finished value, written at once
+  sweep.part         with --part, in place of the pictures: what peel collect puts together
 
 Interrupting a sweep: after Ctrl-C the values being computed are finished. The finished values are written to sweep.csv
 and the pictures (exit status 3). A second Ctrl-C stops the program at once (130).
 
-Resuming a sweep: give the same command again, also after the sweep was killed. The values in sweep.partial.jsonl are
-used again; the rest is computed. The results are the same except for solve_s. The range and the number of values may be
-changed. A folder with an unfinished sweep needs no --force. The checkpoint of another scene, key, part or version is
-refused. --fresh discards the checkpoint, of this sweep or another, and nothing else. Sweeps that write no files (--json
-without --out) keep no checkpoint; neither do those with --follow or --peak-only, which take milliseconds.
+Resuming a sweep: give the same command again, also after the sweep was killed. The values in sweep.partial are used
+again; the rest is computed. The results are the same except for solve_s. The range and the number of values may be
+changed. A folder with an unfinished sweep needs no --force. The checkpoint of another scene, key, part or version,
+and one in which a byte has changed, is refused. --fresh discards the checkpoint, of this sweep or another, and nothing
+else. Sweeps that write no files (--json without --out) keep no checkpoint; neither do those with --follow or
+--peak-only, which take milliseconds.
 
 {OUTPUTS}
 
@@ -228,7 +229,7 @@ Files:
   samples.csv        one row for each sample: inputs, results, why it was cut short
   RESULT.svg, .png   histogram, indices, and the result with one input changed, for each result
   parameters.toml    the scene with what --set has changed: peel uncertainty gives the same numbers
-  uncertainty.partial.jsonl  checkpoint while it runs: each finished sample, written at once
+  uncertainty.partial  checkpoint while it runs: each finished sample, written at once
 
 Interrupting: after Ctrl-C the samples being computed are finished, and what follows from all finished samples is
 written (exit status 3). A second Ctrl-C stops the program at once (130).

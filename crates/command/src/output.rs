@@ -3,7 +3,7 @@
 use super::stop::Stop;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use peelkit_report::{Existing, OutputFolder, ReportError};
+use peelkit_report::{Existing, JournalKind, OutputFolder, ReportError};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -20,13 +20,10 @@ pub struct OutArgs {
 }
 
 impl OutArgs {
-    /// The folder, if it may be written to; to be asked before anything is computed. One that holds the checkpoint of an unfinished command, which has
-    /// this name, is one to go on with.
-    pub fn claim(&self, folder: &Path, checkpoint: Option<&'static str>) -> Result<OutputFolder, ReportError> {
-        match checkpoint {
-            Some(checkpoint) => OutputFolder::claim_with_checkpoint(folder, self.existing(), checkpoint),
-            None => OutputFolder::claim(folder, self.existing()),
-        }
+    /// The folder, if it may be written to; to be asked before anything is computed. One that holds such a journal of an unfinished command is one to
+    /// go on with.
+    pub fn claim(&self, folder: &Path, journal: Option<JournalKind>) -> Result<OutputFolder, ReportError> {
+        OutputFolder::claim(folder, self.existing(), journal)
     }
 
     /// Where files go, if they are written: to `usual` where the user names no folder, and nowhere where one JSON object is asked for then.
@@ -43,14 +40,9 @@ impl OutArgs {
     }
 }
 
-/// Says on standard error what does not stop the command.
-pub fn warn(text: impl std::fmt::Display) {
-    // nobody reads it where standard error is closed
-    let _ = writeln!(std::io::stderr(), "warning: {text}");
-}
-
 /// Says on standard error what is good to know before the command ends.
 pub fn note(text: impl std::fmt::Display) {
+    // nobody reads it where standard error is closed
     let _ = writeln!(std::io::stderr(), "note: {text}");
 }
 

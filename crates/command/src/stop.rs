@@ -69,25 +69,29 @@ impl From<ReportError> for Stop {
             ReportError::InUse { .. } => {
                 Self::bad_input(&error, "Wait until it has ended, or give another folder with --out DIR.")
             }
-            ReportError::OtherSweep { .. } => Self::bad_input(
+            ReportError::OtherCheckpoint { analysis, of, .. } => Self::bad_input(
                 &error,
-                "Finish that sweep with its own command, or give another folder with --out DIR, or --fresh to discard its values.",
+                format!(
+                    "Finish that {analysis} with its own {}, or give another folder with --out DIR, or --fresh to discard what it has kept.",
+                    if of == "version" { "version of peel" } else { "command" }
+                ),
+            ),
+            ReportError::OlderCheckpoint { analysis, version, .. } => Self::bad_input(
+                &error,
+                format!(
+                    "Finish that {analysis} with {}, or give another folder with --out DIR, or --fresh to discard what it has kept.",
+                    version
+                        .as_ref()
+                        .map_or("the version that began it".to_owned(), |version| format!("peel {version}"))
+                ),
+            ),
+            ReportError::NoCheckpoint { .. } => Self::bad_input(
+                &error,
+                "Put back a copy of the file, or give another folder with --out DIR, or --fresh to discard it and begin anew.",
             ),
             ReportError::NoPart { .. } => {
                 Self::bad_input(&error, "Compute this part again with peel sweep --part, or omit its folder.")
             }
-            ReportError::OtherSample { .. } => Self::bad_input(
-                &error,
-                "Finish that sample with its own command, or give another folder with --out DIR, or --fresh to discard its samples.",
-            ),
-            ReportError::OtherOptimisation { .. } => Self::bad_input(
-                &error,
-                "Finish that optimisation with its own command, or give another folder with --out DIR, or --fresh to discard its designs.",
-            ),
-            ReportError::OtherRun { .. } => Self::bad_input(
-                &error,
-                "Finish that run with its own command, or give another folder with --out DIR, or --fresh to discard its points.",
-            ),
             ReportError::Write { .. } => Self::other_with(
                 &error,
                 "Give a folder in which you may write with --out DIR, and make room on the disk where it is full.",
@@ -113,9 +117,7 @@ mod tests {
         assert_eq!(status(report.into()), 1);
         assert_eq!(status(ReportError::Exists { path: "x".into() }.into()), 2);
         assert_eq!(status(ReportError::InUse { path: "x".into(), process: Some(1) }.into()), 2);
-        assert_eq!(status(ReportError::OtherSweep { path: "x".into() }.into()), 2);
-        assert_eq!(status(ReportError::OtherOptimisation { path: "x".into() }.into()), 2);
-        assert_eq!(status(ReportError::OtherSample { path: "x".into() }.into()), 2);
-        assert_eq!(status(ReportError::OtherRun { path: "x".into() }.into()), 2);
+        let no_checkpoint = ReportError::NoCheckpoint { path: "x".into(), reason: "y".into() };
+        assert_eq!(status(no_checkpoint.into()), 2);
     }
 }

@@ -27,36 +27,42 @@ pub enum ReportError {
         /// The number of that process, where it is known.
         process: Option<u32>,
     },
-    /// The rows of another sweep would be lost.
-    #[error("{path} is the checkpoint of an interrupted sweep of another scene, key, part or version")]
-    OtherSweep {
+    /// What another command has found would be lost.
+    #[error("{path} is the checkpoint of an interrupted {analysis} of another {of}: {difference}")]
+    OtherCheckpoint {
         /// The checkpoint.
         path: PathBuf,
+        /// What is interrupted, as the file says: `run`, `sweep`, `sample`, `optimisation`.
+        analysis: String,
+        /// What of it is another one: `kind`, `scene`, `version`, or a setting such as `key`.
+        of: String,
+        /// Where the two differ, and what stands there in each.
+        difference: String,
     },
-    /// The samples of another scene would be lost.
-    #[error("{path} is the checkpoint of an interrupted sample of another scene, seed or version")]
-    OtherSample {
+    /// A checkpoint that this version of the program does not read.
+    #[error("{path} is a checkpoint that {} has written in another form, and this version of peel does not read it", version.as_ref().map_or("an older version of peel".to_owned(), |version| format!("peel {version}")))]
+    OlderCheckpoint {
         /// The checkpoint.
         path: PathBuf,
+        /// What is interrupted: `run`, `sweep`, `sample`, `optimisation`.
+        analysis: &'static str,
+        /// The version that wrote it, where the file says so.
+        version: Option<String>,
     },
-    /// The designs of another scene would be lost.
-    #[error("{path} is the checkpoint of an interrupted optimisation of another scene or version")]
-    OtherOptimisation {
-        /// The checkpoint.
+    /// A file that should be a checkpoint.
+    #[error("{path} is not a checkpoint that this version of peel can read: {reason}")]
+    NoCheckpoint {
+        /// The file.
         path: PathBuf,
-    },
-    /// The points of another run would be lost.
-    #[error("{path} is the checkpoint of an interrupted run of another scene or version")]
-    OtherRun {
-        /// The checkpoint.
-        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
     },
     /// A file that should be a part of a sweep.
     #[error("{path} is not a part of a sweep that this version of peel can read: {reason}")]
     NoPart {
         /// The file.
         path: PathBuf,
-        /// What is wrong with its first line.
+        /// What is wrong with it.
         reason: String,
     },
     /// A folder that should hold the law of a tip.
@@ -103,10 +109,9 @@ impl ReportError {
         let (Self::Write { path, .. }
         | Self::Exists { path }
         | Self::InUse { path, .. }
-        | Self::OtherSweep { path }
-        | Self::OtherSample { path }
-        | Self::OtherOptimisation { path }
-        | Self::OtherRun { path }
+        | Self::OtherCheckpoint { path, .. }
+        | Self::OlderCheckpoint { path, .. }
+        | Self::NoCheckpoint { path, .. }
         | Self::NoPart { path, .. }
         | Self::NoTipLaw { path, .. }
         | Self::OtherTipLaw { path, .. }

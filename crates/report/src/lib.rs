@@ -32,15 +32,8 @@ mod unknown_error;
 
 pub use animation::frames::{Pose, poses};
 pub use animation::write_animation;
-pub use checkpoint::collection::PartialCollection;
-pub use checkpoint::damaged::{Damaged, DamagedPart};
-pub use checkpoint::optimisation::PartialOptimisation;
-pub use checkpoint::part::{DividedSweep, PartAxis, PartHeader, SweepPart};
-pub use checkpoint::partial_file::PartialFile;
-pub use checkpoint::run::PartialRun;
-pub use checkpoint::seta::{PartialSeta, SetaCheckpoint};
-pub use checkpoint::sweep::{Part, PartialSweep, Storable};
-pub use checkpoint::uncertainty::PartialUncertainty;
+pub use checkpoint::journal::{Journal, JournalKind};
+pub use checkpoint::part::{DividedSweep, Part, PartAxis, PartHeader, PartialCollection, SweepPart};
 pub use error::ReportError;
 pub use file::write_whole;
 pub use fit_report::FitReport;

@@ -175,8 +175,9 @@ fn the_best_width_beats_the_uniform_strip_in_every_direction() {
 
 /// Which numbers a search is made of.
 fn bits(found: &Optimum) -> Vec<u64> {
-    let of_searches =
-        found.searches.iter().flat_map(|search| &search.evaluations).filter_map(|design| design.log_value);
+    let of_design =
+        |design: &Evaluation| [&design.coordinates[..], design.log_value.as_slice(), &design.gradient].concat();
+    let of_searches = found.searches.iter().flat_map(|search| &search.evaluations).flat_map(of_design);
     found.after.values.iter().copied().chain(of_searches).map(f64::to_bits).collect()
 }
 
@@ -198,7 +199,10 @@ fn the_result_does_not_depend_on_threads_or_interruptions() {
     assert!(cut.unfinished && cut.certificate.is_none());
     assert!(cut.searches.iter().any(|search| search.end == SearchEnd::Interrupted));
     let kept = kept.into_inner().unwrap();
-    let known = |coordinates: &[f64]| kept.iter().find(|design| design.coordinates == coordinates).cloned();
+    let known = |coordinates: &[f64], with_gradient: bool| {
+        let is_it = |design: &&Evaluation| design.coordinates == coordinates && design.with_gradient == with_gradient;
+        kept.iter().find(is_it).cloned()
+    };
     let anew = AtomicUsize::new(0);
     let count = |_: usize, _: &Evaluation| {
         anew.fetch_add(1, Ordering::Relaxed);

@@ -14,7 +14,7 @@ pub use seta::{SetaOutcome, SetaRun};
 
 use crate::outcome::{Analysis, End, Outcome, Refusal};
 use crate::session::Session;
-use peelkit_report::ReportError;
+use peelkit_report::{Journal, JournalKind, ReportError};
 use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -45,11 +45,11 @@ impl<'s> Run<'s> {
 impl Analysis for Run<'_> {
     type Found = RunOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
+    fn journal(&self) -> Option<JournalKind> {
         match self {
-            Self::Peel(run) => run.checkpoint(),
-            Self::Seta(run) => run.checkpoint(),
-            Self::Rate(run) => run.checkpoint(),
+            Self::Peel(run) => run.journal(),
+            Self::Seta(run) => run.journal(),
+            Self::Rate(run) => run.journal(),
         }
     }
 
@@ -95,11 +95,7 @@ impl Outcome for RunOutcome {
         self.any().end()
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
-        match self {
-            Self::Peel(found) => found.settle(written),
-            Self::Seta(found) => found.settle(written),
-            Self::Rate(found) => found.settle(written),
-        }
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        self.any().kept()
     }
 }

@@ -9,11 +9,11 @@ use peelkit::study::{
     self, Checkpoint, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch, PathEnd,
     Peel, Stations, TestEnd,
 };
-use peelkit_report::{self as report, PartialFile, PartialRun, PeelSummary, ReportError, timed};
-use peelkit_scene::Scene;
+use peelkit_report::{self as report, Journal, JournalKind, PeelSummary, ReportError, timed};
+use peelkit_scene::{BoundsTable, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// The path of a scene that can be computed.
 pub struct PeelRun<'s> {
@@ -95,7 +95,7 @@ pub struct PeelOutcome {
     missing: Option<String>,
     interrupted: bool,
     asked: Asked,
-    kept: Option<(PathBuf, Mutex<PartialRun>)>,
+    journal: Journal,
 }
 
 /// What there is of something that was asked for, and why it is missing.
@@ -109,15 +109,17 @@ fn or_why<T, E: ToString>(found: Result<Option<T>, E>) -> (Option<T>, Option<Str
 impl Analysis for PeelRun<'_> {
     type Found = PeelOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
-        Some(PartialRun::NAME)
+    fn journal(&self) -> Option<JournalKind> {
+        Some(JournalKind::RUN)
     }
 
     fn run(&self, session: &Session) -> Result<PeelOutcome, Refusal> {
         let Self { scene, asked } = *self;
-        let partial = session.open(|dir| PartialRun::open(dir, scene))?;
-        let taken = partial.as_ref().map_or(0, PartialRun::points_taken);
-        let (peel, seconds) = timed(|| path(scene, partial.as_ref(), session));
+        // whatever its bounds, a path has the same points
+        let unbound = Scene { bounds: BoundsTable::default(), ..scene.clone() };
+        let journal = session.open(JournalKind::RUN, &unbound, &[])?;
+        let taken = journal.entries();
+        let (peel, seconds) = timed(|| path(scene, &journal, session));
         let asked_to_stop = session.watcher.nothing_more_is_kept();
         let interrupted = asked_to_stop && peel.unfinished;
         let looked_at = asked.looks_out_of_plane() && !peel.points.is_empty();
@@ -154,21 +156,19 @@ impl Analysis for PeelRun<'_> {
             missing: missed.or(no_exponents).or(unknown).or(not_followed),
             interrupted,
             asked,
-            kept: session.journal.map(|journal| journal.folder.to_path_buf()).zip(partial.map(Mutex::new)),
+            journal,
             ..PeelOutcome::of(Arc::new(peel), seconds)
         })
     }
 }
 
 /// The path, from what an earlier run has kept of it.
-fn path(scene: &Scene, partial: Option<&PartialRun>, session: &Session) -> Peel {
+fn path(scene: &Scene, journal: &Journal, session: &Session) -> Peel {
     let checkpoint = Checkpoint {
-        taken: &|options| partial.map(|partial| partial.taken(options)).unwrap_or_default(),
+        taken: &|options| journal.sequence(options),
         keep: &|options, waypoint| {
             session.watcher.see(Progress::Point(options, &waypoint));
-            if let Some(partial) = partial {
-                partial.keep(options, waypoint);
-            }
+            journal.append(options, &waypoint);
         },
     };
     study::peel_on(&scene.model, &scene.accuracy, &session.stop(scene), &checkpoint)
@@ -201,7 +201,7 @@ impl PeelOutcome {
             missing: None,
             interrupted: false,
             asked: Asked::default(),
-            kept: None,
+            journal: Journal::nowhere(),
         }
     }
 
@@ -298,15 +298,7 @@ impl Outcome for PeelOutcome {
         why.map_or(End::Done, End::CutShort)
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
-        let Some((folder, partial)) = &mut self.kept else { return Ok(None) };
-        if !self.peel.unfinished {
-            return if written { PartialRun::discard(folder).map(|()| None) } else { Ok(None) };
-        }
-        let partial = partial.get_mut().unwrap_or_else(PoisonError::into_inner);
-        Ok(Some(match partial.write_all()? {
-            true => format!("its points are kept in {}", partial.path().display()),
-            false => "it had no points to keep".into(),
-        }))
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        Some((&self.journal, !self.peel.unfinished))
     }
 }

@@ -17,10 +17,10 @@ use crate::session::Session;
 use crate::seta::Setae;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind};
-use peelkit_report::{
-    PartHeader, PartialFile, PartialSweep, PullRow, RateResult, Record, Storable, SweepLine, SweepRow, timed,
-};
+use peelkit_report::{Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SweepLine, SweepRow, timed};
 use peelkit_scene::Scene;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::io;
 
 /// A scene in which keys are varied.
@@ -86,14 +86,14 @@ impl<'s> Sweep<'s> {
     }
 
     /// What is found of every case: the rows, and what an earlier run has found of them.
-    fn rows<F: Storable + Send + Sync, R>(
+    fn rows<F: Serialize + DeserializeOwned + Send, R>(
         &self,
         session: &Session,
+        journal: &Journal,
         of: &(dyn Fn(&Case) -> F + Sync),
         row: impl Fn(Found<F>) -> R,
     ) -> Result<(Vec<R>, usize), Refusal> {
-        let part = self.part.as_ref().map(|header| header.part);
-        let (found, taken) = compute(session, (self.scene, part), &self.cases, of)?;
+        let (found, taken) = compute(session, journal, &self.cases, of)?;
         Ok((found.into_iter().map(row).collect(), taken))
     }
 }
@@ -101,31 +101,41 @@ impl<'s> Sweep<'s> {
 impl Analysis for Sweep<'_> {
     type Found = SweepOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
-        self.follow.is_none().then_some(<PartialSweep>::NAME)
+    fn journal(&self) -> Option<JournalKind> {
+        self.follow.is_none().then_some(JournalKind::SWEEP)
     }
 
     fn run(&self, session: &Session) -> Result<SweepOutcome, Refusal> {
         let Self { scene, cases, .. } = self;
         let setae = Setae::like(scene);
+        let (keys, part) = (cases.keys.names(), self.part.as_ref().map(|header| header.part.to_string()));
+        let settings = [Some(("key", keys.as_str())), part.as_deref().map(|part| ("part", part))];
+        let settings: Vec<_> = settings.into_iter().flatten().collect();
+        let journal = match self.journal() {
+            Some(kind) => session.open(kind, scene, &settings)?,
+            None => Journal::nowhere(),
+        };
         let (rows, taken) = if let Some(kind) = self.follow {
             let (sweep, seconds) = follow::follow(kind, cases, session);
             (Rows::Followed(sweep, seconds), 0)
         } else if scene.time.is_some() {
-            let (rows, taken) = self.rows(session, &|case| pull(&case.scene, &setae, session), pull_row)?;
+            let (rows, taken) = self.rows(session, &journal, &|case| pull(&case.scene, &setae, session), pull_row)?;
             (Rows::Rates(rows), taken)
         } else if scene.seta.is_some() {
             let of = |case: &Case| setae.pull_off(&case.scene, &session.stop_of_one(&case.scene));
-            let (rows, taken) = self.rows(session, &of, pull_row)?;
+            let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
             (Rows::Setae(rows), taken)
         } else {
-            let (rows, taken) = self.rows(session, &|case| peel(&case.scene, session), peel_row)?;
+            let (rows, taken) = self.rows(session, &journal, &|case| peel(&case.scene, session), peel_row)?;
             (Rows::Peels(rows), taken)
         };
         let taken = (taken > 0)
             .then(|| format!("{taken} of {} values taken from an earlier, interrupted run", cases.all.len()));
-        let kept = session.journal.map(|journal| journal.folder.to_path_buf());
-        Ok(SweepOutcome { kept, part: self.part.clone(), ..SweepOutcome::of(cases, rows, taken.into_iter().collect()) })
+        Ok(SweepOutcome {
+            journal: Some(journal),
+            part: self.part.clone(),
+            ..SweepOutcome::of(cases, rows, taken.into_iter().collect())
+        })
     }
 }
 

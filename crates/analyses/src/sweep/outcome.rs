@@ -6,8 +6,8 @@ use super::no_effect;
 use crate::outcome::{End, Outcome, by};
 use peelkit::study::{FollowedSweep, Remark, SetaResult};
 use peelkit_report::{
-    self as report, PartHeader, PartialFile, PartialSweep, PullRow, RateResult, Record, ReportError, SweepPart,
-    SweepRow, SweepSummary, SweptKeys, seta_end_reason,
+    self as report, Journal, PartHeader, PullRow, RateResult, Record, ReportError, SweepPart, SweepRow, SweepSummary,
+    SweptKeys, seta_end_reason,
 };
 use peelkit_scene::Scene;
 use std::io;
@@ -38,7 +38,7 @@ pub struct SweepOutcome {
     /// How many values there are
     pub(super) values: usize,
     pub(super) part: Option<PartHeader>,
-    pub(super) kept: Option<PathBuf>,
+    pub(super) journal: Option<Journal>,
 }
 
 impl SweepOutcome {
@@ -51,7 +51,7 @@ impl SweepOutcome {
             Rows::Rates(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Followed(..) => None,
         });
-        Self { keys, log: cases.log, rows, remarks, values: cases.all.len(), part: None, kept: None }
+        Self { keys, log: cases.log, rows, remarks, values: cases.all.len(), part: None, journal: None }
     }
 
     /// Rows that were computed, of so many values.
@@ -154,11 +154,8 @@ impl Outcome for SweepOutcome {
         self.done()[0] > 0
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
+    fn kept(&self) -> Option<(&Journal, bool)> {
         let [rows, values] = self.done();
-        match self.kept.as_ref().filter(|_| written && rows == values) {
-            Some(folder) => <PartialSweep>::discard(folder).map(|()| None),
-            None => Ok(None),
-        }
+        Some((self.journal.as_ref()?, rows == values))
     }
 }

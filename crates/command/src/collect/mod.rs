@@ -78,7 +78,7 @@ fn write(
     write: impl FnOnce(&Path) -> Result<Vec<PathBuf>, ReportError>,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let output = if PartialCollection::is_in(folder, &header.sweep) {
-        OutputFolder::claim(folder, Existing::Replace)?
+        OutputFolder::claim(folder, Existing::Replace, None)?
     } else {
         args.out.claim(folder, None)?
     };

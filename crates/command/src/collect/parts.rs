@@ -3,7 +3,7 @@
 use super::differences::difference;
 use crate::stop::Stop;
 use peelkit_analyses::Axis;
-use peelkit_report::{PartHeader, PartialFile, PartialSweep, SweepPart, VERSION};
+use peelkit_report::{JournalKind, PartHeader, SweepPart, VERSION};
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ impl Parts {
         for folder in folders {
             match SweepPart::read(folder)? {
                 Some(part) => parts.push((folder.clone(), part)),
-                None if <PartialSweep>::is_in(folder) => unfinished.push(folder.clone()),
+                None if JournalKind::SWEEP.is_in(folder) => unfinished.push(folder.clone()),
                 None => return Err(no_part(folder)),
             }
         }

@@ -38,7 +38,7 @@ Files:
   optimum.toml       the best design as a scene
   optimum.svg, .png  shape and peel before and after, and the searches
   parameters.toml    the scene with what --set has changed: peel optimise gives the same numbers
-  optimise.partial.jsonl  checkpoint while it runs: each evaluated design, written at once
+  optimise.partial   checkpoint while it runs: each evaluated design, written at once
 
 Interrupting: after Ctrl-C the designs being evaluated are finished, and the best so far is written (exit status 3). A
 second Ctrl-C stops the program at once (130).

@@ -1,15 +1,46 @@
-//! One part of a sweep that several machines divide: the file from which `peel collect` puts the parts together again.
+//! One part of a sweep that several machines divide: the file from which `peel collect` puts the parts together again, made of the frames of a checkpoint.
+//! While parts are missing their collection has a file too: by it the same command knows its own folder again.
 
-use super::lines::{first_line, read_lines, result_line};
-use super::sweep::{Line, Part};
+use super::frames::{Scan, framed};
+use super::header::older_version;
+use super::journal::OLDER_ENDING;
 use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::file::{remove, write_whole};
 use crate::sweep_row::SweepRow;
 use peelkit::study::PeelResult;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
+use std::fmt;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
+
+/// Which part of a divided sweep: `index`, counted from 1, of `of`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Part {
+    /// From 1 to `of`
+    pub index: usize,
+    /// The number of parts
+    pub of: usize,
+}
+
+impl Part {
+    /// Whether this part computes the case of this number, counted from 0. Neighbours lie in different parts: they cost alike, so parts do.
+    pub fn has(self, case: usize) -> bool {
+        Self::with_case(case, self.of) == self
+    }
+
+    /// The part, of so many, that computes the case of this number, counted from 0.
+    pub fn with_case(case: usize, of: usize) -> Self {
+        Self { index: case % of + 1, of }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.of)
+    }
+}
 
 /// A key of a divided sweep and all of its values.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,7 +66,7 @@ pub struct DividedSweep {
     pub scene: String,
 }
 
-/// The first line of the file.
+/// What the file begins with.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PartHeader {
     /// Which part this is
@@ -50,56 +81,127 @@ pub struct PartHeader {
     pub command: Vec<String>,
 }
 
+/// The values of the keys that are varied.
+type Place = (f64, Option<f64>);
+
 /// A part that was read again.
 #[derive(Debug)]
 pub struct SweepPart {
     /// What it is a part of, and which
     pub header: PartHeader,
-    /// By the bits of the values.
-    found: HashMap<(u64, Option<u64>), Line>,
+    /// By the bytes of the values
+    found: HashMap<Vec<u8>, (PeelResult, f64)>,
+}
+
+fn key(place: Place) -> io::Result<Vec<u8>> {
+    postcard::to_stdvec(&place).map_err(io::Error::other)
 }
 
 impl SweepPart {
     /// The name of the file in the folder of the part.
-    pub const NAME: &str = "sweep.part.jsonl";
+    pub const NAME: &str = "sweep.part";
 
-    /// Writes the file: the header, then a line a finished value.
+    /// Writes the file: the header, then a frame a finished value.
     ///
     /// Fails with [`ReportError::Write`].
     pub fn write(dir: &Path, header: &PartHeader, rows: &[SweepRow]) -> Result<PathBuf, ReportError> {
         let path = dir.join(Self::NAME);
-        let refuse = |source| ReportError::Write { path: path.clone(), source };
-        let mut text = first_line(header).map_err(refuse)?;
-        for row in rows {
-            text.extend(result_line(&Line::from(row)).map_err(refuse)?);
-        }
-        write_whole(&path, &text)?;
+        let frames = || {
+            let mut bytes = framed(&[], &serde_json::to_vec(header)?)?;
+            for row in rows {
+                let value = postcard::to_stdvec(&(&row.found, row.solve_s)).map_err(io::Error::other)?;
+                bytes.extend(framed(&key((row.value, row.second))?, &value)?);
+            }
+            Ok(bytes)
+        };
+        let bytes = frames().map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, &bytes)?;
         Ok(path)
     }
 
     /// Reads the file in `dir`; `None` where there is none.
     ///
-    /// Fails with [`ReportError::Read`], and with [`ReportError::NoPart`] where the first line is not that of a part, or a line is not as it was
-    /// written.
+    /// Fails with [`ReportError::Read`], and with [`ReportError::NoPart`] where it does not begin as a part does, or is not as it was written.
     pub fn read(dir: &Path) -> Result<Option<Self>, ReportError> {
         let path = dir.join(Self::NAME);
+        let older = dir.join(format!("{}{OLDER_ENDING}", Self::NAME));
+        if !path.is_file() && older.is_file() {
+            let version = fs::read(&older).ok().and_then(|bytes| older_version(&bytes));
+            let version = version.map_or("an older version".to_owned(), |version| format!("peel {version}"));
+            return Err(ReportError::NoPart {
+                path: older,
+                reason: format!("{version} has written it in another form"),
+            });
+        }
         if !path.is_file() {
             return Ok(None);
         }
-        let text = fs::read(&path).map_err(|source| ReportError::Read { path: path.clone(), source })?;
-        let end = text.iter().position(|&byte| byte == b'\n').map_or(text.len(), |end| end + 1);
-        let no_part = |reason| ReportError::NoPart { path: path.clone(), reason };
-        let header = serde_json::from_slice::<PartHeader>(&text[..end]).map_err(|error| no_part(error.to_string()))?;
-        let (lines, damaged) = read_lines::<Line>(&text[end..]);
-        if let Some(line) = damaged.first() {
-            return Err(no_part(format!("line {line} does not match its check sum")));
+        let bytes = fs::read(&path).map_err(|source| ReportError::Read { path: path.clone(), source })?;
+        let scan = Scan::of(&bytes);
+        let no_part = |reason: String| Err(ReportError::NoPart { path: path.clone(), reason });
+        if let Some(damage) = scan.damage() {
+            return no_part(damage);
         }
-        let found = lines.into_iter().map(|line| (line.place(), line)).collect();
-        Ok(Some(Self { header, found }))
+        let [first, others @ ..] = scan.frames.as_slice() else {
+            return no_part("it ends in its header".to_owned());
+        };
+        if scan.end < bytes.len() {
+            return no_part("its end is torn".to_owned());
+        }
+        let header = match serde_json::from_slice(&bytes[first.value()]) {
+            Ok(header) => header,
+            Err(error) => return no_part(error.to_string()),
+        };
+        let found = others
+            .iter()
+            .map(|frame| postcard::from_bytes(&bytes[frame.value()]).map(|found| (bytes[frame.key()].to_vec(), found)));
+        match found.collect() {
+            Ok(found) => Ok(Some(Self { header, found })),
+            Err(error) => no_part(error.to_string()),
+        }
     }
 
     /// What was found at this value, or these two, and the seconds that it took.
     pub fn found(&self, value: f64, second: Option<f64>) -> Option<(&PeelResult, f64)> {
-        self.found.get(&super::sweep::place(value, second)).map(|line| (&line.found, line.solve_s))
+        let (found, solve_s) = self.found.get(&key((value, second)).ok()?)?;
+        Some((found, *solve_s))
+    }
+}
+
+/// The file of a collection in which parts are missing.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+pub struct PartialCollection {
+    /// What is collected
+    pub sweep: DividedSweep,
+    /// The parts that are missing or not finished, counted from 1
+    pub missing: Vec<usize>,
+}
+
+impl PartialCollection {
+    /// Its name in the folder of the outputs.
+    pub const NAME: &str = "collect.partial.json";
+
+    /// Whether `dir` holds an unfinished collection of this sweep.
+    pub fn is_in(dir: &Path, sweep: &DividedSweep) -> bool {
+        let text = fs::read(dir.join(Self::NAME)).unwrap_or_default();
+        serde_json::from_slice::<Self>(&text).is_ok_and(|known| known.sweep == *sweep)
+    }
+
+    /// Writes the file.
+    ///
+    /// Fails with [`ReportError::Write`].
+    pub fn write(&self, dir: &Path) -> Result<PathBuf, ReportError> {
+        let path = dir.join(Self::NAME);
+        let text = serde_json::to_vec(self)
+            .map_err(|error| ReportError::Write { path: path.clone(), source: error.into() })?;
+        write_whole(&path, &text)?;
+        Ok(path)
+    }
+
+    /// Removes the file in `dir`, if there is one.
+    ///
+    /// Fails with [`ReportError::Write`] where it cannot be removed.
+    pub fn discard(dir: &Path) -> Result<(), ReportError> {
+        remove(dir.join(Self::NAME))
     }
 }

@@ -2,6 +2,7 @@
 
 mod lock;
 
+use super::checkpoint::journal::JournalKind;
 use super::error::ReportError;
 use lock::{FolderLock, NotLocked};
 use std::env;
@@ -28,41 +29,27 @@ pub struct OutputFolder {
     /// Where that is.
     place: PathBuf,
     existing: Existing,
-    /// The file in it that an unfinished command keeps.
-    checkpoint: Option<&'static str>,
+    /// How an unfinished command keeps a file in it, if it does.
+    journal: Option<JournalKind>,
     /// Nobody else writes there as long as this is held.
     _lock: Option<FolderLock>,
 }
 
 impl OutputFolder {
-    /// Refuses a folder that must not be written to, or cannot be, or to which another process writes; to be asked before anything is computed.
+    /// Refuses a folder that must not be written to, or cannot be, or to which another process writes; to be asked before anything is computed. Of a
+    /// command with such a journal a folder that holds one is to go on with.
     ///
     /// Fails with [`ReportError::Exists`], [`ReportError::InUse`] or [`ReportError::Write`].
-    pub fn claim(name: &Path, existing: Existing) -> Result<Self, ReportError> {
-        Self::claim_with(name, existing, None)
-    }
-
-    /// The same of a command that keeps what it finds in a file of this name: a folder that holds it is one to go on with.
-    ///
-    /// Fails as [`OutputFolder::claim`] does.
-    pub fn claim_with_checkpoint(
-        name: &Path,
-        existing: Existing,
-        checkpoint: &'static str,
-    ) -> Result<Self, ReportError> {
-        Self::claim_with(name, existing, Some(checkpoint))
-    }
-
-    fn claim_with(name: &Path, existing: Existing, checkpoint: Option<&'static str>) -> Result<Self, ReportError> {
+    pub fn claim(name: &Path, existing: Existing, journal: Option<JournalKind>) -> Result<Self, ReportError> {
         let refuse = |source: io::Error| ReportError::Write { path: name.to_path_buf(), source };
         let place = whereabouts(name).map_err(refuse)?;
         let lock = FolderLock::take(&place).map_err(|error| match error {
             NotLocked::InUse(process) => ReportError::InUse { path: name.to_path_buf(), process },
             NotLocked::System(source) => refuse(source),
         })?;
-        let goes_on = checkpoint.is_some_and(|checkpoint| place.join(checkpoint).is_file());
+        let goes_on = journal.is_some_and(|journal| journal.is_in(&place));
         let existing = if goes_on { Existing::Replace } else { existing };
-        let folder = Self { name: name.to_path_buf(), place, existing, checkpoint, _lock: lock };
+        let folder = Self { name: name.to_path_buf(), place, existing, journal, _lock: lock };
         folder.refuse_full()?;
         staging(&folder.place).map_err(refuse)?;
         Ok(folder)
@@ -87,7 +74,7 @@ impl OutputFolder {
 
     /// Another program may have filled the folder since it was claimed.
     fn refuse_full(&self) -> Result<(), ReportError> {
-        let full = holds_something(&self.place, self.checkpoint);
+        let full = holds_something(&self.place, self.journal);
         let full = full.map_err(|source| ReportError::Write { path: self.name.clone(), source })?;
         match self.existing {
             Existing::Keep if full => Err(ReportError::Exists { path: self.name.clone() }),
@@ -135,16 +122,17 @@ fn whereabouts(name: &Path) -> io::Result<PathBuf> {
 }
 
 /// Whether anything but what a killed run has left, or this one keeps, is there.
-fn holds_something(place: &Path, checkpoint: Option<&str>) -> io::Result<bool> {
+fn holds_something(place: &Path, journal: Option<JournalKind>) -> io::Result<bool> {
     let entries = match fs::read_dir(place) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
         entries => entries?,
     };
+    let kept = journal.map(|journal| journal.names());
     for entry in entries {
         let name = entry?.file_name();
         let name = name.to_string_lossy();
         let is_hidden = name.starts_with('.') && (name.ends_with(".part") || name.ends_with(lock::ENDING));
-        if !(is_hidden || checkpoint == Some(&*name)) {
+        if !(is_hidden || kept.iter().flatten().any(|kept| *kept == name)) {
             return Ok(true);
         }
     }
@@ -215,7 +203,7 @@ mod tests {
             if name == "empty" {
                 fs::create_dir(&out).unwrap();
             }
-            let folder = OutputFolder::claim(&out, Existing::Keep).unwrap();
+            let folder = OutputFolder::claim(&out, Existing::Keep, None).unwrap();
             let error = folder.write(fail).unwrap_err().to_string();
             assert_eq!(error, format!("cannot draw {}: no ink", out.join("c.svg").display()));
             assert!(!out.exists() || listing(&out).is_empty());
@@ -229,7 +217,7 @@ mod tests {
     fn what_is_there_is_kept_unless_it_may_be_replaced() {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
-        let folder = OutputFolder::claim(&out, Existing::Keep).unwrap();
+        let folder = OutputFolder::claim(&out, Existing::Keep, None).unwrap();
         fs::create_dir(&out).unwrap();
         for name in ["a.csv", "mine"] {
             fs::write(out.join(name), "old").unwrap();
@@ -243,8 +231,8 @@ mod tests {
         };
         refused(folder.write(fill));
         drop(folder);
-        refused(OutputFolder::claim(&out, Existing::Keep).map(|_| Vec::new()));
-        let folder = OutputFolder::claim(&out, Existing::Replace).unwrap();
+        refused(OutputFolder::claim(&out, Existing::Keep, None).map(|_| Vec::new()));
+        let folder = OutputFolder::claim(&out, Existing::Replace, None).unwrap();
         folder.write(fail).unwrap_err();
         assert_eq!(fs::read(out.join("a.csv")).unwrap(), b"old");
         folder.write(fill).unwrap();
@@ -267,7 +255,7 @@ mod tests {
                 fs::create_dir_all(&out).unwrap();
                 fs::write(out.join("mine"), "old").unwrap();
             }
-            let folder = OutputFolder::claim(&out, Existing::Replace).unwrap();
+            let folder = OutputFolder::claim(&out, Existing::Replace, None).unwrap();
             fs::remove_dir_all(dir.path().join("deep")).unwrap();
             assert_eq!(folder.write(fill).unwrap(), [out.join("a.csv"), out.join("b.csv")]);
             assert_eq!(listing(&out), ["a.csv", "b.csv"]);
@@ -280,26 +268,28 @@ mod tests {
     fn a_folder_that_another_holds_is_refused_until_it_lets_go() {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
-        let holder = OutputFolder::claim(&out, Existing::Replace).unwrap();
-        let refused = OutputFolder::claim(&out, Existing::Replace).unwrap_err();
+        let holder = OutputFolder::claim(&out, Existing::Replace, None).unwrap();
+        let refused = OutputFolder::claim(&out, Existing::Replace, None).unwrap_err();
         let mine = std::process::id();
         assert_eq!(refused.to_string(), format!("{} is in use: process {mine} writes to it", out.display()));
         drop(holder);
-        OutputFolder::claim(&out, Existing::Replace).unwrap();
+        OutputFolder::claim(&out, Existing::Replace, None).unwrap();
         assert!(listing(dir.path()).is_empty());
     }
 
     #[test]
     fn a_folder_with_its_own_checkpoint_is_one_to_go_on_with() {
-        let dir = tempfile::tempdir().unwrap();
-        let out = dir.path().join("out");
-        fs::create_dir(&out).unwrap();
-        fs::write(out.join("x.partial"), "").unwrap();
-        fs::write(out.join("mine"), "old").unwrap();
-        let claim = |checkpoint| OutputFolder::claim_with_checkpoint(&out, Existing::Keep, checkpoint);
-        assert!(matches!(claim("y.partial").unwrap_err(), ReportError::Exists { .. }));
-        claim("x.partial").unwrap().write(fill).unwrap();
-        assert_eq!(listing(&out), ["a.csv", "b.csv", "mine", "x.partial"]);
+        for name in ["sweep.partial", "sweep.partial.jsonl"] {
+            let dir = tempfile::tempdir().unwrap();
+            let out = dir.path().join("out");
+            fs::create_dir(&out).unwrap();
+            fs::write(out.join(name), "").unwrap();
+            fs::write(out.join("mine"), "old").unwrap();
+            let claim = |journal| OutputFolder::claim(&out, Existing::Keep, Some(journal));
+            assert!(matches!(claim(JournalKind::RUN).unwrap_err(), ReportError::Exists { .. }));
+            claim(JournalKind::SWEEP).unwrap().write(fill).unwrap();
+            assert_eq!(listing(&out), ["a.csv", "b.csv", "mine", name]);
+        }
     }
 
     #[test]
@@ -307,8 +297,8 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let out = dir.path().join("out");
         fs::create_dir_all(out.join(".123.part")).unwrap();
-        fs::write(out.join(".sweep.partial.jsonl.123.part"), "").unwrap();
-        let folder = OutputFolder::claim(&out, Existing::Keep).unwrap();
+        fs::write(out.join(".sweep.partial.123.part"), "").unwrap();
+        let folder = OutputFolder::claim(&out, Existing::Keep, None).unwrap();
         fs::create_dir_all(staging(&folder.place).unwrap().join("of the same number")).unwrap();
         assert_eq!(folder.write(fill).unwrap().len(), 2);
         assert!(listing(&out).contains(&"b.csv".into()));
@@ -323,7 +313,7 @@ mod tests {
             [file.clone(), file.join("inner"), "/proc/none/of/this".into(), dir.path().join("no/.."), "".into()]
         {
             for existing in [Existing::Keep, Existing::Replace] {
-                let error = OutputFolder::claim(&place, existing).unwrap_err();
+                let error = OutputFolder::claim(&place, existing, None).unwrap_err();
                 assert!(matches!(&error, ReportError::Write { path, .. } if *path == place), "{error}");
             }
         }

@@ -39,7 +39,7 @@ fn kind(outcome: &RunOutcome) -> &'static str {
 /// The run of a scene as the command does it, which ends with its end.
 pub(crate) fn run(scene: &Scene, observed: bool, end: &RunEnd) -> Result<RunOutcome, Refusal> {
     let asked = Asked { observed, states: shown_states(scene), ..Asked::default() };
-    let session = Session { watcher: end, journal: None, abrupt: true };
+    let session = Session { watcher: end, keeping: None, abrupt: true };
     Ok(Run::of(scene, asked)?.run(&session)?)
 }
 

@@ -58,7 +58,7 @@ impl<'p> Evaluator<'p> {
             }
         };
         let (log_value, gradient) = found.map_or((None, Vec::new()), |(value, gradient)| (Some(value), gradient));
-        Evaluation { coordinates: coordinates.to_vec(), log_value, gradient }
+        Evaluation { coordinates: coordinates.to_vec(), with_gradient, log_value, gradient }
     }
 
     fn by_peels(&self, coordinates: &[f64], with_gradient: bool) -> Option<(f64, Vec<f64>)> {
@@ -134,10 +134,12 @@ pub(super) fn derivatives(
 // -- How an optimum is looked for --
 
 /// What was found of one design. A design whose peel has no such number, or that cannot be computed, has no value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Evaluation {
     /// From 0 to 1 between the bounds of each variable
     pub coordinates: Vec<f64>,
+    /// Whether its gradient was asked for: where that fails the design has no value
+    pub with_gradient: bool,
     /// ln Q; none: a bad point
     pub log_value: Option<f64>,
     /// d ln Q/d coordinate; empty where it was not asked for or there is none
@@ -193,8 +195,8 @@ pub struct OptimisationOptions<'o> {
     pub stop: &'o (dyn Fn() -> StopCriteria + Sync),
     /// Whether to go on; once it says no, what was found is reported
     pub go_on: &'o (dyn Fn() -> bool + Sync),
-    /// What an earlier run has found of a design with these coordinates
-    pub known: &'o (dyn Fn(&[f64]) -> Option<Evaluation> + Sync),
+    /// What an earlier run has found of a design with these coordinates, asked with its gradient or without
+    pub known: &'o (dyn Fn(&[f64], bool) -> Option<Evaluation> + Sync),
     /// Is given each design that is evaluated, and by which search, from any thread
     pub keep: &'o (dyn Fn(usize, &Evaluation) + Sync),
 }
@@ -214,7 +216,7 @@ impl OptimisationOptions<'_> {
             check: false,
             stop: &StopCriteria::default,
             go_on: &|| true,
-            known: &|_| None,
+            known: &|_, _| None,
             keep: &|_, _| (),
         }
     }

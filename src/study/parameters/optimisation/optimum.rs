@@ -61,7 +61,7 @@ pub(super) fn neighbours(
     let sign = problem.goal.sign();
     let gain = |number: usize| -> Option<Option<f64>> {
         let place = neighbour(problem, at, options.seed, number as u64)?;
-        let found = (options.known)(&place).unwrap_or_else(|| evaluator.evaluate(&place, false));
+        let found = (options.known)(&place, false).unwrap_or_else(|| evaluator.evaluate(&place, false));
         Some(found.log_value.map(|value| -sign * (value - log_value)))
     };
     let gains: Vec<Option<Option<f64>>> = (0..options.neighbours)

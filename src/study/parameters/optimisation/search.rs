@@ -153,8 +153,7 @@ impl<'p> Search<'p> {
         if self.is_over() {
             return None;
         }
-        let kept = (self.options.known)(coordinates).filter(|known| enough(known));
-        let found = kept.unwrap_or_else(|| {
+        let found = (self.options.known)(coordinates, with_gradient).unwrap_or_else(|| {
             let found = self.evaluator.evaluate(coordinates, with_gradient);
             (self.options.keep)(self.number, &found);
             found

@@ -36,13 +36,13 @@ impl Pull<'_> {
         &self,
         law: TipLawOf,
         tip: &PullCurve,
-        mut kept: Option<&mut KeptSeta>,
+        kept: &mut KeptSeta,
         see: &mut dyn FnMut(&SetaPoint),
     ) -> Result<Pulled, Refusal> {
         let Self { scene, table, loading, options, stop, states } = *self;
         let refused = |error: SetaError| Refusal::asked(error, "`peel keys seta` lists the keys with their ranges.");
         let fingerprint = law.fingerprint();
-        let earlier = kept.as_mut().map(|kept| kept.by_table(fingerprint)).unwrap_or_default();
+        let earlier = kept.by_table(fingerprint);
         let mut growing = match law {
             TipLawOf::Curve => {
                 let model = model(scene, table, table.law(tip.clone()));
@@ -55,11 +55,11 @@ impl Pull<'_> {
             }
         };
         loop {
-            let visited = kept.as_ref().map(|kept| kept.visited()).unwrap_or_default();
+            let visited = kept.visited();
             let law = growing.law(table.sideways()).with_visited(visited);
             let model = model(scene, table, Arc::new(law.clone()));
             let by_table = ByTable { fingerprint, rounds: growing.rounds(), law: &law };
-            let (sampler, kept) = (Sampler::new(states), kept.as_deref_mut());
+            let sampler = Sampler::new(states);
             let followed = follow((&model, Some(&by_table)), (loading, options), stop, sampler, kept, see);
             let mut followed = followed.map_err(refused)?;
             let outside = match growing.after(&followed.pull_off, law.visited()) {

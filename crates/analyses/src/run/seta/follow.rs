@@ -7,10 +7,9 @@ use peelkit::study::coarsening::{TableLaw, TableRound, Visited};
 use peelkit::study::{
     self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria, StopReason,
 };
-use peelkit_report::{PartialFile, PartialSeta, ReportError, SetaCheckpoint};
-use peelkit_scene::Scene;
+use peelkit_report::{Journal, JournalKind, ReportError};
+use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -32,7 +31,7 @@ pub struct Seen {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SeenByTable {
     /// Of the first table
-    pub fingerprint: Option<u64>,
+    pub fingerprint: Option<u32>,
     /// Before the one that is under way
     pub rounds: Vec<TableRound>,
     /// In that one
@@ -41,29 +40,29 @@ pub struct SeenByTable {
 
 /// Where a pull-off is kept, and from where it goes on.
 pub struct KeptSeta {
-    folder: PathBuf,
-    partial: PartialSeta,
-    reached: Option<SetaCheckpoint<Seen>>,
+    journal: Journal,
+    reached: Option<(SetaProgress, Seen)>,
     taken: usize,
-    /// Why nothing more is kept
-    trouble: Option<ReportError>,
 }
+
+/// Under which what was reached is kept.
+const REACHED: &str = "reached";
 
 impl KeptSeta {
     /// Where this session keeps what it finds, with what an earlier run of the scene has left there.
-    pub fn open(session: &Session, scene: &Scene, sampler: &Sampler) -> Result<Option<Self>, ReportError> {
-        let mut reached = None;
-        let partial = session.open(|dir| {
-            let (partial, kept) = PartialSeta::open::<Seen>(dir, scene)?;
-            reached = kept;
-            Ok(partial)
-        })?;
+    pub fn open(session: &Session, scene: &Scene, sampler: &Sampler) -> Result<Self, ReportError> {
+        // whatever its bounds, a pull-off has the same equilibria
+        let unbound = Scene { bounds: BoundsTable::default(), ..scene.clone() };
+        let journal = session.open(JournalKind::SETA, &unbound, &[])?;
         // the states that another number of them asks for are not among those that were seen
-        let reached = reached.filter(|kept| kept.seen.sampler.is_like(sampler));
-        let taken = reached.as_ref().map_or(0, |kept| kept.progress.result.points.len());
-        let folder = session.journal.map(|journal| journal.folder.to_path_buf());
-        let kept = |(folder, partial)| Self { folder, partial, reached, taken, trouble: None };
-        Ok(folder.zip(partial).map(kept))
+        let reached = journal.known::<(SetaProgress, Seen)>(&REACHED).filter(|(_, seen)| seen.sampler.is_like(sampler));
+        let taken = reached.as_ref().map_or(0, |(progress, _)| progress.result.points.len());
+        Ok(Self { journal, reached, taken })
+    }
+
+    /// In which it is kept.
+    pub fn journal(&self) -> &Journal {
+        &self.journal
     }
 
     /// How many equilibria are those of an earlier run.
@@ -72,49 +71,37 @@ impl KeptSeta {
     }
 
     /// What an earlier run has come to by a table; nothing where the table was another one, and the pull-off is begun anew.
-    pub fn by_table(&mut self, fingerprint: Option<u64>) -> Vec<TableRound> {
-        let of = |kept: &SetaCheckpoint<Seen>| kept.seen.table.as_ref().and_then(|table| table.fingerprint);
+    pub fn by_table(&mut self, fingerprint: Option<u32>) -> Vec<TableRound> {
+        let of = |(_, seen): &(SetaProgress, Seen)| seen.table.as_ref().and_then(|table| table.fingerprint);
         self.reached = self.reached.take().filter(|kept| of(kept) == fingerprint);
         self.taken = if self.reached.is_some() { self.taken } else { 0 };
-        let table = self.reached.as_ref().and_then(|kept| kept.seen.table.as_ref());
+        let table = self.reached.as_ref().and_then(|(_, seen)| seen.table.as_ref());
         table.map(|table| table.rounds.clone()).unwrap_or_default()
     }
 
     /// Where the tips have been outside of the table in the pull-off that is gone on with.
     pub fn visited(&self) -> Visited {
-        let table = self.reached.as_ref().and_then(|kept| kept.seen.table.as_ref());
+        let table = self.reached.as_ref().and_then(|(_, seen)| seen.table.as_ref());
         table.map(|table| table.visited.clone()).unwrap_or_default()
     }
 
-    fn keep(&mut self, progress: &SetaProgress, seen: &Seen) {
-        if self.trouble.is_none() {
-            self.trouble = self.partial.write(progress, seen).err();
-        }
-    }
-
-    /// A run that is finished, and `written`, needs no checkpoint any more; what is to be said of one that is not.
-    pub fn settle(&mut self, followed: &Followed, written: bool) -> Result<Option<String>, ReportError> {
-        let unfinished = matches!(followed.pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted));
-        match followed.progress.as_ref().filter(|_| unfinished) {
-            None if written => PartialSeta::discard(&self.folder).map(|()| None),
-            None => Ok(None),
-            Some(progress) => {
-                self.keep(progress, &followed.seen);
-                let kept = format!("its equilibria are kept in {}", self.partial.path().display());
-                self.trouble.take().map_or(Ok(Some(kept)), Err)
-            }
-        }
+    fn keep(&self, progress: &SetaProgress, seen: &Seen) {
+        self.journal.keep(&REACHED, &(progress, seen));
     }
 }
 
 /// A pull-off as far as it goes, and what it takes to go on.
 pub struct Followed {
     pub pull_off: SetaPullOff,
-    pub progress: Option<SetaProgress>,
     pub seen: Seen,
 }
 
 impl Followed {
+    /// Whether the same command goes on with it.
+    pub fn is_unfinished(&self) -> bool {
+        matches!(self.pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted))
+    }
+
     /// The states that were seen.
     pub fn sampler(&self) -> &Sampler {
         &self.seen.sampler
@@ -124,7 +111,7 @@ impl Followed {
 /// The law of the tips as far as it changes with what is followed.
 pub struct ByTable<'t> {
     /// Of the first table
-    pub fingerprint: Option<u64>,
+    pub fingerprint: Option<u32>,
     /// By the tables before
     pub rounds: &'t [TableRound],
     /// By the table as it is
@@ -144,11 +131,11 @@ pub fn follow(
     (loading, options): (&SetaLoading, &SetaOptions),
     stop: &StopCriteria,
     mut sampler: Sampler,
-    mut kept: Option<&mut KeptSeta>,
+    kept: &mut KeptSeta,
     see: &mut dyn FnMut(&study::SetaPoint),
 ) -> Result<Followed, SetaError> {
     let mut reached = None;
-    if let Some(SetaCheckpoint { progress, seen }) = kept.as_mut().and_then(|kept| kept.reached.take()) {
+    if let Some((progress, seen)) = kept.reached.take() {
         (reached, sampler) = (Some(progress), seen.sampler);
     }
     let mut last = Instant::now();
@@ -158,10 +145,7 @@ pub fn follow(
         let piece = if sampler.sees() { (before / PIECE + 1) * PIECE } else { stop.points };
         let until = StopCriteria { points: piece.min(stop.points), ..stop.clone() };
         let due = Arc::new(AtomicBool::new(false));
-        let until = match kept {
-            None => until,
-            Some(_) => keeping(until, last, Arc::clone(&due)),
-        };
+        let until = if kept.journal.is_kept() { keeping(until, last, Arc::clone(&due)) } else { until };
         let (pull_off, progress) = study::pull_off_from(model, loading, options, &until, reached)?;
         if let Some(point) = pull_off.points.last() {
             see(point);
@@ -180,15 +164,17 @@ pub fn follow(
             Some(progress) if goes_on => progress,
             progress => {
                 let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
-                return Ok(Followed { pull_off, progress, seen });
+                let followed = Followed { pull_off, seen };
+                if let Some(progress) = progress.filter(|_| followed.is_unfinished()) {
+                    kept.keep(&progress, &followed.seen);
+                }
+                return Ok(followed);
             }
         };
         if last.elapsed() >= INTERVAL {
-            if let Some(kept) = &mut kept {
-                let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
-                kept.keep(&progress, &seen);
-                sampler = seen.sampler;
-            }
+            let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
+            kept.keep(&progress, &seen);
+            sampler = seen.sampler;
             last = Instant::now();
         }
         reached = Some(progress);

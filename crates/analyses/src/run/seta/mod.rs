@@ -13,7 +13,7 @@ use follow::{Followed, KeptSeta};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable};
 use peelkit::study::{self, Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState};
-use peelkit_report::{self as report, PartialFile, PartialSeta, ReportError, SetaSummary, timed};
+use peelkit_report::{self as report, Journal, JournalKind, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
 use std::io;
@@ -64,14 +64,14 @@ pub struct SetaOutcome {
     followed: Followed,
     interrupted: bool,
     asked: Asked,
-    kept: Option<KeptSeta>,
+    kept: KeptSeta,
 }
 
 impl Analysis for SetaRun<'_> {
     type Found = SetaOutcome;
 
-    fn checkpoint(&self) -> Option<&'static str> {
-        Some(PartialSeta::NAME)
+    fn journal(&self) -> Option<JournalKind> {
+        Some(JournalKind::SETA)
     }
 
     fn run(&self, session: &Session) -> Result<SetaOutcome, Refusal> {
@@ -87,7 +87,7 @@ impl Analysis for SetaRun<'_> {
         let (loading, options) = (scene.seta_loading(table), options(scene));
         let mut see = |point: &SetaPoint| session.watcher.see(Progress::Equilibrium(point));
         let pull = Pull { scene, table, loading: &loading, options: &options, stop: &stop, states };
-        let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, kept.as_mut(), &mut see));
+        let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, &mut kept, &mut see));
         let Pulled { model, law, followed, outside } = pulled?;
         session.stage("peak on finer meshes");
         let (pull_off, wanted) = (&followed.pull_off, scene.accuracy.relative);
@@ -102,7 +102,7 @@ impl Analysis for SetaRun<'_> {
             peak,
             outside,
             seconds: [tip_s + table_s, solve_s, peak_s],
-            taken: kept.as_ref().map_or(0, KeptSeta::taken),
+            taken: kept.taken(),
             law,
             followed,
             interrupted,
@@ -188,7 +188,7 @@ impl Outcome for SetaOutcome {
         }
     }
 
-    fn settle(&mut self, written: bool) -> Result<Option<String>, ReportError> {
-        self.kept.as_mut().map_or(Ok(None), |kept| kept.settle(&self.followed, written))
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        Some((self.kept.journal(), !self.followed.is_unfinished()))
     }
 }
