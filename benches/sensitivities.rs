@@ -44,9 +44,9 @@ fn variations() -> Vec<Variation<'static>> {
     vec![
         of_strip("length", |strip| &mut strip.length),
         of_strip("height", |strip| &mut strip.height),
-        of_strip("youngs_modulus", |strip| &mut strip.youngs_modulus),
-        of_strip("poissons_ratio", |strip| &mut strip.poissons_ratio),
-        of_strip("bending_stiffness_factor", |strip| &mut strip.bending_stiffness_factor),
+        of_strip("youngs_modulus", |strip| &mut strip.material.youngs_modulus),
+        of_strip("poissons_ratio", |strip| &mut strip.material.poissons_ratio),
+        of_strip("bending_stiffness_factor", |strip| &mut strip.material.bending_stiffness_factor),
         of_adhesion("hamaker_constant", |model| &mut model.adhesion.hamaker_constant),
         of_adhesion("equilibrium_distance", |model| &mut model.adhesion.equilibrium_distance),
     ]

@@ -74,7 +74,7 @@ pub fn draw(folder: &Path) -> Result<String, Box<dyn Error>> {
 fn peels(factors: &[f64], shear_correction: f64) -> Vec<PeelResult> {
     sweep(factors, &|| true, &|&factor| {
         let mut model = StripModel::of_the_paper(LENGTH, factor);
-        model.strip.shear_correction = shear_correction;
+        model.strip.material.shear_correction = shear_correction;
         PeelResult::from(&peel(&model, &Accuracy::to(1e-6), &StopCriteria::default()))
     })
 }

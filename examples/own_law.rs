@@ -83,7 +83,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("initiation peak  {:.9} nN, wrong by no more than {:.0e} nN", peak.force, peak.force_error);
     let plateau = peel.plateau.ok_or("the path has no plateau")?.force;
     let strip = model.strip;
-    let steady = kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2);
+    let steady = kendall_force(work, strip.material.youngs_modulus, strip.height, strip.width, FRAC_PI_2);
     println!("plateau          {plateau:.9} nN; from the work of adhesion {steady:.9} nN");
     println!("end              {:?} after {} points", peel.end, peel.points.len());
     if (plateau / steady - 1.0).abs() > 1e-6 {

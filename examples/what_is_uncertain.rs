@@ -25,7 +25,7 @@ type Parameter = (&'static str, f64, fn(&mut StripModel) -> &mut f64);
 const PARAMETERS: [Parameter; 4] = [
     ("equilibrium distance", 0.1, |model| &mut model.adhesion.equilibrium_distance),
     ("Hamaker constant", 0.2, |model| &mut model.adhesion.hamaker_constant),
-    ("Young's modulus", 0.3, |model| &mut model.strip.youngs_modulus),
+    ("Young's modulus", 0.3, |model| &mut model.strip.material.youngs_modulus),
     ("height", 0.1, |model| &mut model.strip.height),
 ];
 /// Width of a column of the histogram, nN.

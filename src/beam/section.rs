@@ -37,6 +37,11 @@ pub struct Material {
 }
 
 impl Material {
+    /// Young's modulus in GPa and Poisson's ratio, in a rectangular section: k_s = 5/6, and EI as it is.
+    pub const fn of(youngs_modulus: f64, poissons_ratio: f64) -> Self {
+        Self { youngs_modulus, poissons_ratio, shear_correction: 5.0 / 6.0, bending_stiffness_factor: 1.0 }
+    }
+
     /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:
     /// A = bh (1 + (π/4 - 1) q), I = (bh³/12)(1 + (12π/64 - 1) q).
     pub fn section(&self, width: f64, height: f64, roundness: f64) -> Section {

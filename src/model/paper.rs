@@ -7,7 +7,7 @@ use super::peel::{Adhesion, Form, Grip, Hold, PeelModel, Pull};
 use super::problem::beam_problem::BeamProblem;
 use super::problem::build::NoSuchOrder;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::section::Section;
+use crate::beam::section::{Material, Section};
 use serde::{Deserialize, Serialize};
 
 /// A strip, its adhesion, its grip and how that is moved: the [`PeelModel`] of Section 4 of the paper, with its parts at hand.
@@ -31,10 +31,7 @@ impl StripModel {
                 length,
                 height: 10.0,
                 width: 1.0,
-                youngs_modulus: 2.0,
-                poissons_ratio: 0.2,
-                shear_correction: 5.0 / 6.0,
-                bending_stiffness_factor: bending,
+                material: Material { bending_stiffness_factor: bending, ..Material::of(2.0, 0.2) },
                 crack: None,
             },
             adhesion: Adhesion::of_half_space(0.1, 0.4),
@@ -45,7 +42,7 @@ impl StripModel {
 
     /// EA, GA_s and EI.
     pub fn section(&self) -> Section {
-        self.strip.material().section(self.strip.width, self.strip.height, 0.0)
+        self.strip.material.section(self.strip.width, self.strip.height, 0.0)
     }
 
     /// The line load per width.

@@ -112,7 +112,7 @@ fn compare(row: &Row, relative: f64) -> Compared {
     let peel = peel(&model, &Accuracy::to(relative), &StopCriteria::after_points(5000));
     let key = (
         model.strip.length,
-        model.strip.bending_stiffness_factor,
+        model.strip.material.bending_stiffness_factor,
         row.text("line_load").unwrap_or("full"),
         model.adhesion.far_face,
     );
@@ -153,7 +153,7 @@ fn compare(row: &Row, relative: f64) -> Compared {
         key.3,
         model.grip,
         model.strip.height,
-        model.strip.youngs_modulus,
+        model.strip.material.youngs_modulus,
         model.adhesion.hamaker_constant,
         model.adhesion.equilibrium_distance,
         peel.end,

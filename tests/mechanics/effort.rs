@@ -154,7 +154,7 @@ fn sideways() -> PeelModel {
 /// 5 mm × 50 µm × 20 mm of 2 GPa under an exponential law of 100 J/m² and 1 MPa.
 fn tape() -> PeelModel {
     let mut strip = paper_strip(5e6, 1.0);
-    (strip.strip.height, strip.strip.width, strip.strip.poissons_ratio) = (5e4, 2e7, 0.35);
+    (strip.strip.height, strip.strip.width, strip.strip.material.poissons_ratio) = (5e4, 2e7, 0.35);
     let adhesion = &mut strip.adhesion;
     adhesion.attraction = Attraction::named("exponential").unwrap();
     (adhesion.work, adhesion.strength) = (Some(100.0), Some(1e-3));

@@ -29,7 +29,7 @@ proptest! {
         }
         if let Ok(scene) = Scene::parse("a.toml", &text.into_iter().collect::<String>(), &[]) {
             let strip = *scene.model.strip().unwrap();
-            prop_assert!(strip.length.is_finite() && strip.height.is_finite() && strip.youngs_modulus.is_finite());
+            prop_assert!(strip.length.is_finite() && strip.height.is_finite() && strip.material.youngs_modulus.is_finite());
         }
     }
 }

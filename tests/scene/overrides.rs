@@ -10,7 +10,7 @@ fn an_override_replaces_a_key_with_or_without_quotes() {
     for value in ["50 nm", "50nm", "\"50 nm\"", "'50 nm'", " 0.05 um "] {
         assert_eq!(with("strip.length", value).unwrap().model.strip().unwrap().length, 50.0, "{value}");
     }
-    assert_eq!(with("strip.poissons_ratio", "0.3").unwrap().model.strip().unwrap().poissons_ratio, 0.3);
+    assert_eq!(with("strip.poissons_ratio", "0.3").unwrap().model.strip().unwrap().material.poissons_ratio, 0.3);
     assert!(!with("adhesion.far_face", "false").unwrap().model.adhesion.far_face);
     assert_eq!(with("adhesion.line_load", "axis-gap").unwrap().model.adhesion.line_load, LineLoad::AxisGap);
     assert_eq!(with("grip.rotation", "\"fixed\"").unwrap().model.grip.rotation, Hold::Fixed);

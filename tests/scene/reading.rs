@@ -17,8 +17,8 @@ fn what_a_scene_leaves_out_has_its_default() {
     let scene = Scene::parse("dir/first.toml", MINIMAL, &[]).unwrap();
     let (strip, adhesion, grip) = (*scene.model.strip().unwrap(), scene.model.adhesion, scene.model.grip);
     assert_eq!((strip.length, strip.height, strip.width), (100.0, 10.0, 1.0));
-    assert_eq!((strip.youngs_modulus, strip.poissons_ratio), (2.0, 0.2));
-    assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (5.0 / 6.0, 1.0));
+    assert_eq!((strip.material.youngs_modulus, strip.material.poissons_ratio), (2.0, 0.2));
+    assert_eq!((strip.material.shear_correction, strip.material.bending_stiffness_factor), (5.0 / 6.0, 1.0));
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::Full, true));
     assert_eq!((adhesion.attraction, adhesion.work, adhesion.strength), (Attraction::BodyForce, None, None));
@@ -83,8 +83,8 @@ displacement = "0.5 um"
     let scene = Scene::parse("a.toml", text, &[]).unwrap();
     let (strip, adhesion, grip) = (*scene.model.strip().unwrap(), scene.model.adhesion, scene.model.grip);
     assert_eq!((strip.length, strip.height, strip.width), (200.0, 10.0, 2.0));
-    assert_eq!((strip.youngs_modulus, strip.poissons_ratio), (3.0, -0.5));
-    assert_eq!((strip.shear_correction, strip.bending_stiffness_factor), (1.0, 1e-4));
+    assert_eq!((strip.material.youngs_modulus, strip.material.poissons_ratio), (3.0, -0.5));
+    assert_eq!((strip.material.shear_correction, strip.material.bending_stiffness_factor), (1.0, 1e-4));
     assert_eq!((adhesion.hamaker_constant, adhesion.equilibrium_distance), (0.1, 0.4));
     assert_eq!((adhesion.line_load, adhesion.far_face), (LineLoad::AxisGap, false));
     assert_eq!(adhesion.attraction, Attraction::Cohesive(CohesiveShape::Bilinear));

@@ -15,7 +15,7 @@ fn units_of_mechanics_are_read() {
     }
     for modulus in ["2 GPa", "2000 MPa", "2e9 N/m²", "2e9 N/m2", "2000 N/mm^2", "2 nN/nm2", "2e9 Pa"] {
         assert_eq!(
-            with("strip.youngs_modulus", modulus).unwrap().model.strip().unwrap().youngs_modulus,
+            with("strip.youngs_modulus", modulus).unwrap().model.strip().unwrap().material.youngs_modulus,
             2.0,
             "{modulus}"
         );

@@ -7,6 +7,7 @@ pub(super) mod spatula;
 pub(super) mod strip;
 pub(super) mod transition;
 
+use crate::beam::section::Material;
 use geometry::Geometry;
 use profile::Profile;
 use serde::{Deserialize, Serialize};
@@ -32,6 +33,15 @@ impl Body {
             Self::Strip(strip) => strip,
             Self::Spatula(spatula) => spatula,
             Self::Profile(profile) => profile,
+        }
+    }
+
+    /// What it is made of, to be changed.
+    pub fn material_mut(&mut self) -> &mut Material {
+        match self {
+            Self::Strip(strip) => &mut strip.material,
+            Self::Spatula(spatula) => &mut spatula.material,
+            Self::Profile(profile) => &mut profile.material,
         }
     }
 }

@@ -55,12 +55,7 @@ impl Default for Spatula {
             shaft_angle: std::f64::consts::FRAC_PI_4,
             tip_rounding_length: 0.0,
             tip_rounding_width: 100.0,
-            material: Material {
-                youngs_modulus: 2.0,
-                poissons_ratio: 0.2,
-                shear_correction: 5.0 / 6.0,
-                bending_stiffness_factor: 1.0,
-            },
+            material: Material::of(2.0, 0.2),
         }
     }
 }

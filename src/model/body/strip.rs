@@ -15,28 +15,10 @@ pub struct Strip {
     pub height: f64,
     /// nm
     pub width: f64,
-    /// GPa = nN/nm²
-    pub youngs_modulus: f64,
-    /// ν, without a unit
-    pub poissons_ratio: f64,
-    /// k_s, without a unit
-    pub shear_correction: f64,
-    /// Multiplies EI alone.
-    pub bending_stiffness_factor: f64,
+    /// What it is made of
+    pub material: Material,
     /// Length at the grip that does not adhere, an initial crack, nm
     pub crack: Option<f64>,
-}
-
-impl Strip {
-    /// What it is made of.
-    pub fn material(&self) -> Material {
-        Material {
-            youngs_modulus: self.youngs_modulus,
-            poissons_ratio: self.poissons_ratio,
-            shear_correction: self.shear_correction,
-            bending_stiffness_factor: self.bending_stiffness_factor,
-        }
-    }
 }
 
 impl BeamGeometry for Strip {
@@ -63,7 +45,7 @@ impl Geometry for Strip {
     }
 
     fn material(&self) -> Material {
-        Self::material(self)
+        self.material
     }
 
     fn shared(&self) -> Arc<dyn BeamGeometry> {

@@ -61,12 +61,7 @@ impl Default for Seta {
             shaft_diameter: 4000.0,
             diameter_ratio: 0.625,
             height_scatter: 100.0,
-            material: Material {
-                youngs_modulus: 2.0,
-                poissons_ratio: 0.2,
-                shear_correction: 0.9,
-                bending_stiffness_factor: 1.0,
-            },
+            material: Material { shear_correction: 0.9, ..Material::of(2.0, 0.2) },
         }
     }
 }

@@ -235,7 +235,7 @@ fn a_level_force_has_no_limit_points_and_the_peak_is_kept() {
 #[test]
 fn a_strip_whose_face_turns_back_at_once_is_followed_on() {
     let mut strip = paper_strip(52.955, 1.0);
-    (strip.strip.height, strip.strip.youngs_modulus) = (4.679, 2.464);
+    (strip.strip.height, strip.strip.material.youngs_modulus) = (4.679, 2.464);
     strip.adhesion = Adhesion::of_half_space(0.2463, 0.395);
     let model = PeelModel {
         pull: Pull { angle: 23.4f64.to_radians(), ..Pull::UP },

@@ -33,7 +33,7 @@ fn strip(width: f64, [elevation, azimuth]: [f64; 2], space: Space, steps: &[Step
     if let Body::Strip(strip) = &mut model.body {
         strip.width = width;
         if space.section == SectionShape::Ellipse {
-            strip.shear_correction = 0.9;
+            strip.material.shear_correction = 0.9;
         }
     }
     model.pull.angle = elevation.to_radians();

@@ -58,19 +58,15 @@ fn assert_refused(model: &PeelModel, key: &str, sentence: &str, value: Option<(f
 /// Puts a number where the line of the list has it.
 fn set(model: &mut PeelModel, key: &str, number: f64) {
     let (table, name) = key.split_once('.').unwrap();
-    let material = match &mut model.body {
-        Body::Strip(_) => None,
-        Body::Spatula(spatula) => Some(&mut spatula.material),
-        Body::Profile(profile) => Some(&mut profile.material),
-    };
-    let of_material = material.and_then(|material| match name {
+    let material = model.body.material_mut();
+    let of_material = match name {
         "youngs_modulus" => Some(&mut material.youngs_modulus),
         "poissons_ratio" => Some(&mut material.poissons_ratio),
         "shear_correction" => Some(&mut material.shear_correction),
         "bending_stiffness_factor" => Some(&mut material.bending_stiffness_factor),
         _ => None,
-    });
-    if let (Some(place), true) = (of_material, ["spatula", "profile"].contains(&table)) {
+    };
+    if let (Some(place), true) = (of_material, ["strip", "spatula", "profile"].contains(&table)) {
         *place = number;
         return;
     }
@@ -81,10 +77,6 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
                 "length" => &mut strip.length,
                 "height" => &mut strip.height,
                 "width" => &mut strip.width,
-                "youngs_modulus" => &mut strip.youngs_modulus,
-                "poissons_ratio" => &mut strip.poissons_ratio,
-                "shear_correction" => &mut strip.shear_correction,
-                "bending_stiffness_factor" => &mut strip.bending_stiffness_factor,
                 "crack" => strip.crack.insert(number),
                 _ => panic!("{key} is not in this test"),
             } = number;

@@ -52,9 +52,9 @@ fn check(name: &str, model: PeelModel, form: Form) {
 type Number = fn(&mut PeelModel) -> &mut f64;
 
 const NUMBERS: [(&str, Number); 4] = [
-    ("youngs_modulus", |model| &mut strip_of(model).youngs_modulus),
-    ("shear_correction", |model| &mut strip_of(model).shear_correction),
-    ("bending_stiffness_factor", |model| &mut strip_of(model).bending_stiffness_factor),
+    ("youngs_modulus", |model| &mut strip_of(model).material.youngs_modulus),
+    ("shear_correction", |model| &mut strip_of(model).material.shear_correction),
+    ("bending_stiffness_factor", |model| &mut strip_of(model).material.bending_stiffness_factor),
     ("hamaker_constant", |model| &mut model.adhesion.hamaker_constant),
 ];
 

@@ -42,7 +42,7 @@ const TRUTH: Truth = Truth { hamaker: 0.1, distance: 0.4, modulus: 2.0, stiffnes
 fn model(truth: Truth) -> PeelModel {
     let mut model = PeelModel::from(paper_strip(100.0, 1.0));
     let Body::Strip(strip) = &mut model.body else { panic!("a strip") };
-    strip.youngs_modulus = truth.modulus;
+    strip.material.youngs_modulus = truth.modulus;
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (truth.hamaker, truth.distance);
     model.grip.stiffness = truth.stiffness;
     model

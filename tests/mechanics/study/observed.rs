@@ -118,7 +118,7 @@ fn zero(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
 #[test]
 fn a_rigid_strip_on_a_spring_is_a_punch() {
     let mut model = with_grip(paper_strip(5.0, 1.0), Hold::Fixed, Hold::Free);
-    model.strip.youngs_modulus = 1e6;
+    model.strip.material.youngs_modulus = 1e6;
     let stiffness = 0.5;
     let punch = Punch { length: 5.0, height: 10.0, stiffness, rest: model.line_law().rest_gap() };
     let test = test_of(&on_a_spring(model, stiffness));

@@ -108,7 +108,7 @@ fn peak(base: StripModel, set: fn(&mut StripModel, f64), from: f64, to: f64) -> 
 }
 
 fn set_stiffness(model: &mut StripModel, value: f64) {
-    model.strip.bending_stiffness_factor = value;
+    model.strip.material.bending_stiffness_factor = value;
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn the_peak_over_length_height_hamaker_constant_and_equilibrium_distance() {
         peak(base(), |model, value| model.strip.height = value, 2.0, 40.0),
         peak(base(), |model, value| model.adhesion.hamaker_constant = value, 0.01, 1.0),
         peak(base(), |model, value| model.adhesion.equilibrium_distance = value, 0.1, 1.0),
-        peak(base(), |model, value| model.strip.youngs_modulus = value, 0.5, 200.0),
+        peak(base(), |model, value| model.strip.material.youngs_modulus = value, 0.5, 200.0),
     ];
     for (i, case) in cases.iter().enumerate() {
         assert_eq!(case.agrees(6).remarks, [], "case {i}");

@@ -33,7 +33,7 @@ fn strip_of(model: &mut PeelModel) -> &mut Strip {
 /// A number of a model.
 type Place = fn(&mut PeelModel) -> &mut f64;
 
-const MODULUS: (&str, Place) = ("strip.youngs_modulus", |model| &mut strip_of(model).youngs_modulus);
+const MODULUS: (&str, Place) = ("strip.youngs_modulus", |model| &mut strip_of(model).material.youngs_modulus);
 const LENGTH: (&str, Place) = ("strip.length", |model| &mut strip_of(model).length);
 const HEIGHT: (&str, Place) = ("strip.height", |model| &mut strip_of(model).height);
 const WIDTH: (&str, Place) = ("strip.width", |model| &mut strip_of(model).width);
@@ -202,7 +202,7 @@ fn what_has_no_derivative_says_so() {
     let own = peeled(&model, 1e-5);
     let edge = Variation::new("strip.poissons_ratio", |change| {
         let mut model: PeelModel = (&paper_strip(50.0, 1.0)).into();
-        strip_of(&mut model).poissons_ratio = 0.4999 * (1.0 + change);
+        strip_of(&mut model).material.poissons_ratio = 0.4999 * (1.0 + change);
         model
     });
     let found = sensitivities(&own, &[PeelQuantity::PeakForce], &[edge, variation(MODULUS, &model)]).unwrap();

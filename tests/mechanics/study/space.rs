@@ -43,7 +43,7 @@ fn strip([length, width, height]: [f64; 3], [elevation, azimuth]: [f64; 2], spac
     if let Body::Strip(strip) = &mut model.body {
         (strip.width, strip.height) = (width, height);
         if space.section == SectionShape::Ellipse {
-            strip.shear_correction = 0.9;
+            strip.material.shear_correction = 0.9;
         }
     }
     model.pull.angle = elevation.to_radians();
@@ -151,7 +151,7 @@ fn steps_of_any_length_stay_on_the_branch_from_rest() {
     let mut model = strip([89.55, 42.27, 10.94], [89.7, 21.3], Space::default());
     model.grip.rotation = Hold::Fixed;
     if let Body::Strip(strip) = &mut model.body {
-        strip.youngs_modulus = 3.76;
+        strip.material.youngs_modulus = 3.76;
     }
     let peaks = [1.2e-2, 4e-3, 3e-4].map(|step| {
         let accuracy = Accuracy::to(ASKED).with(Choice { step: Some(step), ..Choice::NOTHING });

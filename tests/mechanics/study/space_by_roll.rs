@@ -23,7 +23,7 @@ use std::sync::Arc;
 fn model() -> PeelModel {
     let mut model = PeelModel::from(StripModel::of_the_paper(75.44532, 1.0));
     if let Body::Strip(strip) = &mut model.body {
-        (strip.width, strip.height, strip.youngs_modulus) = (25.50295, 8.541441, 4.745877);
+        (strip.width, strip.height, strip.material.youngs_modulus) = (25.50295, 8.541441, 4.745877);
     }
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (0.07340213, 0.2695842);
     (model.grip.rotation, model.grip.horizontal) = (Hold::Fixed, Hold::Fixed);

@@ -25,7 +25,7 @@ fn at_angle(degrees: f64) -> PeelModel {
 
 fn soft(modulus: f64) -> StripModel {
     let mut model = paper_strip(100.0, 1.0);
-    model.strip.youngs_modulus = modulus;
+    model.strip.material.youngs_modulus = modulus;
     model
 }
 
@@ -33,7 +33,7 @@ fn soft(modulus: f64) -> StripModel {
 fn rubber() -> StripModel {
     let mut model = soft(2e-3);
     (model.strip.length, model.strip.height, model.strip.width) = (2e4, 1e3, 1e4);
-    model.strip.poissons_ratio = 0.49;
+    model.strip.material.poissons_ratio = 0.49;
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (0.4 * 0.160_217_663_4, 0.3);
     model
 }

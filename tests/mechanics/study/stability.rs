@@ -24,7 +24,7 @@ fn peeled(model: &PeelModel, relative: f64) -> Peel {
 /// A strip 100 nm long of this height (nm), modulus (GPa) and factor of EI.
 fn strip(height: f64, modulus: f64, factor: f64) -> StripModel {
     let mut model = paper_strip(100.0, factor);
-    (model.strip.height, model.strip.youngs_modulus) = (height, modulus);
+    (model.strip.height, model.strip.material.youngs_modulus) = (height, modulus);
     model
 }
 

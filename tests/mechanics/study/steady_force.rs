@@ -18,10 +18,7 @@ pub(super) fn tape() -> PeelModel {
         length: 1e6,
         height: 2e4,
         width: 1e6,
-        youngs_modulus: 2e-3,
-        poissons_ratio: 0.49,
-        shear_correction: 5.0 / 6.0,
-        bending_stiffness_factor: 1.0,
+        material: Material::of(2e-3, 0.49),
         crack: None,
     };
     let law = Adhesion {

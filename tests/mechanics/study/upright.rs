@@ -23,7 +23,7 @@ use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};
 /// A strip of this length and height (nm), modulus (GPa) and factor of EI, in a grip that may not turn.
 fn strip([length, height, modulus, factor]: [f64; 4], adhesion: Adhesion) -> StripModel {
     let mut model = paper_strip(length, factor);
-    (model.strip.height, model.strip.youngs_modulus) = (height, modulus);
+    (model.strip.height, model.strip.material.youngs_modulus) = (height, modulus);
     model.adhesion = adhesion;
     with_grip(model, Hold::Fixed, Hold::Free)
 }
@@ -65,7 +65,7 @@ fn what_lies_before_a_pressed_edge_is_located_at_every_accuracy() {
     let exponential = Attraction::Cohesive(CohesiveShape::Exponential);
     let adhesion = Adhesion { attraction: exponential, ..Adhesion::of_half_space(0.011041, 0.22212) };
     let mut model = strip([19816.0, 3.6057, 0.044677, 0.13608], adhesion);
-    (model.strip.width, model.strip.poissons_ratio) = (100.0, 0.274);
+    (model.strip.width, model.strip.material.poissons_ratio) = (100.0, 0.274);
     let found = [1e-4, 1e-6].map(|relative| {
         let peel = peel(&model, &Accuracy::to(relative), &StopCriteria::after_points(2000));
         (peel.peak.expect("a peak"), peel.snap_off.expect("a snap-off"))

@@ -32,7 +32,7 @@ fn a_short_process_zone_and_a_short_beam_are_told() {
     assert_eq!(found(&block, WarningKind::ShortBeam).map(|warning| (warning.value, warning.limit)), Some((4.0, 5.0)));
     // bending and shear alone make it longer than 10 nm
     let mut stiff = paper_strip(1000.0, 1e3);
-    stiff.strip.youngs_modulus = 200.0;
+    stiff.strip.material.youngs_modulus = 200.0;
     assert!(found(&peeled(&stiff.into()), WarningKind::ShortProcessZone).is_none());
 }
 
@@ -67,8 +67,8 @@ fn ground_higher_than_r0_is_told() {
 /// A strip of the same material in space.
 fn in_space(width: f64, youngs_modulus: f64, [elevation, azimuth]: [f64; 2]) -> PeelModel {
     let mut strip = paper_strip(100.0, 1.0);
-    (strip.strip.width, strip.strip.youngs_modulus) = (width, youngs_modulus);
-    (strip.strip.poissons_ratio, strip.strip.shear_correction) = (0.0, 1.0);
+    (strip.strip.width, strip.strip.material.youngs_modulus) = (width, youngs_modulus);
+    (strip.strip.material.poissons_ratio, strip.strip.material.shear_correction) = (0.0, 1.0);
     let mut model = PeelModel::from(strip);
     model.pull.angle = elevation.to_radians();
     model.space = Some(Space { azimuth: azimuth.to_radians(), ..Space::default() });

@@ -48,7 +48,7 @@ fn a_force_that_is_a_product_is_lognormal() {
     let model = |x: &[f64]| {
         Ok(strip(100.0, |strip| {
             strip.strip.width = x[0];
-            strip.strip.youngs_modulus *= x[1];
+            strip.strip.material.youngs_modulus *= x[1];
             strip.adhesion.hamaker_constant *= x[1];
         }))
     };
@@ -101,8 +101,8 @@ fn the_plateau_is_kendalls() {
         strip(200.0, |strip| {
             strip.adhesion.hamaker_constant = x[0];
             strip.adhesion.equilibrium_distance = x[1];
-            strip.strip.youngs_modulus = x[2];
-            strip.strip.bending_stiffness_factor = 0.01;
+            strip.strip.material.youngs_modulus = x[2];
+            strip.strip.material.bending_stiffness_factor = 0.01;
         })
     };
     let (of, accuracy) = ([PeelQuantity::PlateauForce], Accuracy::to(1e-4));
@@ -138,7 +138,7 @@ fn a_sample_is_the_peel_of_its_inputs_on_any_number_of_threads() {
     let of_inputs = |x: &[f64]| {
         strip(50.0, |strip| {
             strip.strip.height = x[0];
-            strip.strip.youngs_modulus = x[1];
+            strip.strip.material.youngs_modulus = x[1];
         })
     };
     let (of, accuracy) = (PeelQuantity::OF_A_PEEL, Accuracy::to(1e-4));
@@ -194,7 +194,7 @@ fn derivatives_are_those_of_differences() {
     let model = |x: &[f64]| {
         Ok(strip(100.0, |strip| {
             strip.strip.height = x[0];
-            strip.strip.youngs_modulus = x[1];
+            strip.strip.material.youngs_modulus = x[1];
             strip.adhesion.equilibrium_distance = x[2];
         }))
     };

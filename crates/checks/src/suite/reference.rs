@@ -29,9 +29,9 @@ impl Row {
         let numbers = [
             ("height_nm", &mut strip.height, 1.0),
             ("width_nm", &mut strip.width, 1.0),
-            ("youngs_modulus_GPa", &mut strip.youngs_modulus, 1.0),
-            ("poissons_ratio", &mut strip.poissons_ratio, 1.0),
-            ("shear_correction", &mut strip.shear_correction, 1.0),
+            ("youngs_modulus_GPa", &mut strip.material.youngs_modulus, 1.0),
+            ("poissons_ratio", &mut strip.material.poissons_ratio, 1.0),
+            ("shear_correction", &mut strip.material.shear_correction, 1.0),
             ("hamaker_constant_J", &mut adhesion.hamaker_constant, 1e18),
             ("equilibrium_distance_nm", &mut adhesion.equilibrium_distance, 1.0),
             ("pull_angle_deg", &mut pull.angle, 1f64.to_radians()),
@@ -109,7 +109,7 @@ mod tests {
              200,0.1,axis-gap,fixed,90,2e-19\n100,1,,,,\n100,1,full,held,,\n",
         );
         let strip = rows[0].strip().unwrap();
-        assert_eq!((strip.strip.length, strip.strip.bending_stiffness_factor), (200.0, 0.1));
+        assert_eq!((strip.strip.length, strip.strip.material.bending_stiffness_factor), (200.0, 0.1));
         assert_eq!((strip.adhesion.line_load, strip.grip.horizontal), (LineLoad::AxisGap, Hold::Fixed));
         assert_eq!(strip.pull.direction(), peelkit::model::Pull::UP.direction());
         approx::assert_relative_eq!(strip.adhesion.hamaker_constant, 0.2, max_relative = 1e-15);

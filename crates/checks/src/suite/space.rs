@@ -62,7 +62,7 @@ impl Case {
         if let Body::Strip(strip) = &mut model.body {
             [strip.width, strip.height] = self.section;
             if self.shape == SectionShape::Ellipse {
-                strip.shear_correction = 0.9;
+                strip.material.shear_correction = 0.9;
             }
         }
         let [elevation, azimuth] = self.pull.map(f64::to_radians);

@@ -147,9 +147,6 @@ pub(crate) const UNKNOWN_STRIP: Strip = Strip {
     length: f64::NAN,
     height: f64::NAN,
     width: 1.0,
-    youngs_modulus: f64::NAN,
-    poissons_ratio: 0.2,
-    shear_correction: 5.0 / 6.0,
-    bending_stiffness_factor: 1.0,
+    material: Material::of(f64::NAN, 0.2),
     crack: None,
 };

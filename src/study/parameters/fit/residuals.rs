@@ -367,7 +367,7 @@ mod tests {
     fn model(values: &[f64]) -> PeelModel {
         let mut model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
         if let Body::Strip(strip) = &mut model.body {
-            strip.youngs_modulus = values[1];
+            strip.material.youngs_modulus = values[1];
         }
         model.adhesion.hamaker_constant = values[0];
         model.grip.stiffness = values.get(2).copied();

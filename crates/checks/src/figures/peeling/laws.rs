@@ -46,12 +46,7 @@ pub(in crate::figures) fn figures(runner: &Runner<'_>, dir: &Path) -> Result<Vec
                 let modulus = 2.0 * 10f64.powi(decade);
                 let mut model = model.clone();
                 model.adhesion.attraction = attraction;
-                match &mut model.body {
-                    Body::Strip(strip) => strip.youngs_modulus = modulus,
-                    Body::Spatula(Spatula { material, .. }) | Body::Profile(Profile { material, .. }) => {
-                        material.youngs_modulus = modulus;
-                    }
-                }
+                model.body.material_mut().youngs_modulus = modulus;
                 (modulus, model)
             });
             runner.sweep_to(if cornered { CORNERED } else { ACCURACY }, &cases.collect::<Vec<_>>())

@@ -24,7 +24,7 @@ type Row = (f64, f64, Option<WidthRange>);
 
 pub(in crate::figures) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
     let thick = |height: f64| varied(|model| model.strip.height = height);
-    let stiff = |modulus: f64| varied(|model| model.strip.youngs_modulus = modulus);
+    let stiff = |modulus: f64| varied(|model| model.strip.material.youngs_modulus = modulus);
     let by_height = ranges(runner, &spaced(HEIGHT, HEIGHTS), thick);
     let by_modulus = ranges(runner, &spaced(MODULUS, MODULI), stiff);
     let caption = format!(

@@ -64,7 +64,7 @@ fn half_way(peel: &Peel) -> Option<f64> {
 fn laws(degrees: f64) -> (f64, f64) {
     let model = paper_strip(LENGTH);
     let (work, section, angle) = (-model.line_law().rest_energy(), model.section(), degrees.to_radians());
-    let kendall = kendall_force(work, model.strip.youngs_modulus, model.strip.height, 1.0, angle);
+    let kendall = kendall_force(work, model.strip.material.youngs_modulus, model.strip.height, 1.0, angle);
     (kendall, sliding_force(-work, section.axial, angle))
 }
 

@@ -50,7 +50,7 @@ impl Sweeps {
         };
         let modulus = spaced(1e-2, 1e4, MODULI).map(|f| {
             let mut model = paper_strip(LENGTH);
-            model.strip.youngs_modulus *= f;
+            model.strip.material.youngs_modulus *= f;
             (f, model)
         });
         let height = spaced(1e-3, 1e3, HEIGHTS).map(|f| {
@@ -71,7 +71,7 @@ impl Sweeps {
 /// The paper's strip with EI alone multiplied.
 pub(in crate::figures) fn stiffened(factor: f64) -> StripModel {
     let mut model = paper_strip(LENGTH);
-    model.strip.bending_stiffness_factor = factor;
+    model.strip.material.bending_stiffness_factor = factor;
     model
 }
 

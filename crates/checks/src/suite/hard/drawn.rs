@@ -44,7 +44,7 @@ fn strip(k: usize) -> StripModel {
         std::array::from_fn(|d| RANGES[d].0 * (RANGES[d].1 / RANGES[d].0).powf(at[d]));
     let mut model = StripModel::of_the_paper(length, factor);
     model.strip.height = height;
-    model.strip.poissons_ratio = 0.4999 * at[5];
+    model.strip.material.poissons_ratio = 0.4999 * at[5];
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (hamaker, distance);
     model.adhesion.line_load = if at[6] < 0.2 { LineLoad::ForceOnly } else { LineLoad::Full };
     let hold = |fixed: bool| if fixed { Hold::Fixed } else { Hold::Free };

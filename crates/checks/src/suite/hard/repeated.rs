@@ -91,7 +91,7 @@ fn in_units(model: &PeelModel, length: f64, modulus: f64) -> PeelModel {
         for size in [&mut strip.length, &mut strip.height, &mut strip.width] {
             *size *= length;
         }
-        strip.youngs_modulus *= modulus;
+        strip.material.youngs_modulus *= modulus;
     }
     let adhesion = &mut model.adhesion;
     adhesion.equilibrium_distance *= length;

@@ -68,7 +68,7 @@ impl Case {
 fn strip_of(row: &Row) -> StripModel {
     let mut model = row.strip().unwrap_or_else(|| StripModel::of_the_paper(f64::NAN, f64::NAN));
     // the shear that is left changes the peak by about 0.3 (EI/EI0)^(1/2) / shear_correction
-    let rigid = 1e7 * model.strip.bending_stiffness_factor.sqrt();
-    model.strip.shear_correction = model.strip.shear_correction.min(rigid);
+    let rigid = 1e7 * model.strip.material.bending_stiffness_factor.sqrt();
+    model.strip.material.shear_correction = model.strip.material.shear_correction.min(rigid);
     model
 }

@@ -17,10 +17,7 @@ const ARM: Strip = Strip {
     length: 1e8,
     height: 1.5e6,
     width: 2e7,
-    youngs_modulus: 135.3,
-    poissons_ratio: 0.24,
-    shear_correction: 5.0 / 6.0 * 5.2 / (135.3 / 2.48),
-    bending_stiffness_factor: 1.0,
+    material: Material { shear_correction: 5.0 / 6.0 * 5.2 / (135.3 / 2.48), ..Material::of(135.3, 0.24) },
     crack: None,
 };
 const HALF_OF_THE_WORK: f64 = 140.0;

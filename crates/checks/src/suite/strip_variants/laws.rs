@@ -67,7 +67,7 @@ fn steady(shape: CohesiveShape) -> Check {
         format!("plateau, nN, {shape:?}, L = {LONG} nm"),
         "P + P²/(2EA) = w b, from the first integral",
         peel.plateau.map(|plateau| plateau.force).ok_or_else(|| missing(&peel.end)),
-        kendall_force(work, strip.youngs_modulus, strip.height, strip.width, FRAC_PI_2),
+        kendall_force(work, strip.material.youngs_modulus, strip.height, strip.width, FRAC_PI_2),
         Measure::Relative,
         1e-6,
     )

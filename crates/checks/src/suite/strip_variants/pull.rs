@@ -98,7 +98,7 @@ fn turned(row: &Row) -> Option<Check> {
 /// A tape of silicone rubber, 1 mm by 20 µm by 1 mm, 2 MPa, under an exponential law of 0.2 J/m² and 1 MPa.
 fn tape() -> PeelModel {
     let StripModel { strip, .. } = StripModel::of_the_paper(LONG, 1.0);
-    let strip = Strip { length: 1e6, height: 2e4, width: 1e6, youngs_modulus: 2e-3, poissons_ratio: 0.49, ..strip };
+    let strip = Strip { length: 1e6, height: 2e4, width: 1e6, material: Material::of(2e-3, 0.49), ..strip };
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         work: Some(0.2),
