@@ -86,7 +86,7 @@ fn all_work_goes_into_the_interface() {
 fn effort() {
     let found = peeled(&at(tape(1e-3), 45.0));
     let effort = (found.effort.points, found.effort.newton_iterations, found.effort.elements);
-    assert_eq!(effort, (128, 497, 48));
+    assert_eq!(effort, (88, 394, 48));
 }
 
 #[test]
