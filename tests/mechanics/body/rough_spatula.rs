@@ -99,7 +99,7 @@ fn a_table_of_one_section_is_the_strip() {
         ..Default::default()
     };
     let table = ProfileTable::new(columns).unwrap();
-    let body = Body::Profile(Profile { form: ProfileForm::Table(table), material: strip.material });
+    let body = Body::Profile(Profile { form: ProfileForm::Table(table), material: strip.material() });
     for start in [Start::Conformed, Start::Crests] {
         let ground = Ground { substrate: wave(8.0, 100.0), start };
         let [a, b] = [&strip.body, &body].map(|body| {

@@ -161,7 +161,7 @@ fn the_same_beam_described_in_another_way_is_the_same() {
         roundness: Vec::new(),
     };
     let form = ProfileForm::Table(ProfileTable::new(columns).unwrap());
-    let profile = Body::Profile(Profile { form, material: strip.material });
+    let profile = Body::Profile(Profile { form, material: strip.material() });
     let mut three = Accuracy::to(1e-7);
     three.choice.form = Form::ThreeField;
     for other in [loss(&PeelModel { body: profile, ..strip.clone() }, &Accuracy::to(1e-7)), loss(&strip, &three)] {

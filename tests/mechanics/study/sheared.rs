@@ -12,6 +12,7 @@
 
 use super::steady_force::at;
 use peelkit::adhesion::{Attraction, CohesiveShape};
+use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::{Accuracy, NotOutOfPlane, PathEnd, Peel, StopCriteria, peel};
 
@@ -20,16 +21,7 @@ const WIDTH: f64 = 2e7;
 const LENGTH: f64 = 2e7;
 
 fn tape(shear_strength: f64) -> PeelModel {
-    let strip = Strip {
-        length: LENGTH,
-        height: 5e4,
-        width: WIDTH,
-        youngs_modulus: 2.0,
-        poissons_ratio: 0.35,
-        shear_correction: 5.0 / 6.0,
-        bending_stiffness_factor: 1.0,
-        crack: None,
-    };
+    let strip = Strip { length: LENGTH, height: 5e4, width: WIDTH, material: Material::of(2.0, 0.35), crack: None };
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         work: Some(WORK),

@@ -19,7 +19,7 @@
 
 use crate::common::{paper_strip, with_grip};
 use peelkit::adhesion::{LineLoad, Sinusoid, Substrate};
-use peelkit::model::{Body, Friction, Ground, Hold, PeelModel, Pull, Spatula, Strip, StripModel};
+use peelkit::model::{Friction, Ground, Hold, PeelModel, Pull, Spatula, StripModel};
 use peelkit::study::{Accuracy, KeptReason, LeftOut, LimitPoint, Peel, StopCriteria, Term, Terms, peel};
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
@@ -44,6 +44,7 @@ fn without(term: Term, model: &PeelModel) -> PeelModel {
             material.bending_stiffness_factor /= RIGID;
             material.shear_correction /= RIGID;
         }
+        Term::Horizontal | Term::Ground | Term::Friction => panic!("{} is no term of this test", term.word()),
     }
     model
 }

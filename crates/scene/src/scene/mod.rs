@@ -6,6 +6,7 @@ pub(crate) mod seta;
 pub(crate) mod studies;
 
 use bounds::BoundsTable;
+use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
 use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy, StationAt};
 use rate::TimeTable;
@@ -143,10 +144,5 @@ impl Scene {
 }
 
 /// The defaults of a strip; what has none is NaN until a text gives it.
-pub(crate) const UNKNOWN_STRIP: Strip = Strip {
-    length: f64::NAN,
-    height: f64::NAN,
-    width: 1.0,
-    material: Material::of(f64::NAN, 0.2),
-    crack: None,
-};
+pub(crate) const UNKNOWN_STRIP: Strip =
+    Strip { length: f64::NAN, height: f64::NAN, width: 1.0, material: Material::of(f64::NAN, 0.2), crack: None };

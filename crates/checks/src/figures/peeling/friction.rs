@@ -119,7 +119,13 @@ const TOUCHING: f64 = 0.05;
 fn kendall(degrees: f64) -> f64 {
     let strip = StripModel::of_the_paper(LENGTH, 1.0);
     let work = -PeelModel::from(strip).line_law().rest_energy();
-    kendall_force(work, strip.strip.material.youngs_modulus, strip.strip.height, strip.strip.width, degrees.to_radians())
+    kendall_force(
+        work,
+        strip.strip.material.youngs_modulus,
+        strip.strip.height,
+        strip.strip.width,
+        degrees.to_radians(),
+    )
 }
 
 fn table(free: &[Peel], held: &[Vec<Peel>; STRENGTHS.len()]) -> Table {

@@ -3,7 +3,7 @@
 use crate::figures::figure::{Figure, Table};
 use crate::figures::runner::{ACCURACY, Runner, paper_strip};
 use peelkit::adhesion::CohesiveShape;
-use peelkit::model::{Attraction, Body, PeelModel, Profile, Spatula};
+use peelkit::model::{Attraction, PeelModel, Spatula};
 use peelkit::study::Accuracy;
 use peelkit_report::chart::RGBColor;
 use peelkit_report::chart::{Axis, Frame, Line, Panel, Picture, Stroke, WIDTH, colour};

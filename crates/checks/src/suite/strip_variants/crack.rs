@@ -3,6 +3,7 @@
 use crate::suite::check::{Check, Measure, missing};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{Attraction, CohesiveShape, LineLoad};
+use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Grip, PeelModel, Strip};
 use peelkit::study::{Accuracy, FollowedUntil, Peel, StopCriteria, peel};
 use rayon::prelude::*;

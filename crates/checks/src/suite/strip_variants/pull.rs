@@ -5,6 +5,7 @@ use crate::suite::check::{Check, Measure, Topic, missing};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{Attraction, CohesiveShape};
 use peelkit::analytic::sliding_force;
+use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Discretisation, Form, Grip, PeelModel, Pull, Strip, StripModel};
 use peelkit::study::{Accuracy, FOLLOWED_ORDER, NotPrepared, Prepared, StopCriteria, peel, prepared};
 use rayon::prelude::*;
