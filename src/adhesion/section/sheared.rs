@@ -130,16 +130,23 @@ mod tests {
                         (45.0 * pair(1.0) - 9.0 * pair(2.0) + pair(3.0)) / (60.0 * step)
                     };
                     let size = law.cohesive.work() / scales[f];
+                    // A section that is turned over is pressed hard, and the difference rounds what is large.
+                    let rounding = |value: f64| 8.0 * f64::EPSILON * value.abs() / step;
                     assert_relative_eq!(
                         slope(&|at| at.energy),
                         here.gradient[f],
-                        epsilon = 1e-8 * size,
+                        epsilon = 1e-8 * size + rounding(here.energy),
                         max_relative = 1e-8
                     );
                     for g in 0..3 {
                         let size = size / scales[g];
                         let found = slope(&|at| at.gradient[g]);
-                        assert_relative_eq!(found, here.tangent[g][f], epsilon = 1e-7 * size, max_relative = 1e-7);
+                        assert_relative_eq!(
+                            found,
+                            here.tangent[g][f],
+                            epsilon = 1e-7 * size + rounding(here.gradient[g]),
+                            max_relative = 1e-7
+                        );
                     }
                 }
             }
