@@ -176,7 +176,7 @@ pub static KEYS: &[Key] = &[
     key(&ADHESION, "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "r0 of a pair of molecules; gap at rest").titled("equilibrium distance", "r₀"),
     key(&ADHESION, "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key(&ADHESION, "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of a cohesive law; else the half space's").titled("work of adhesion", "w"),
-    key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "largest cohesive traction; else the half space's").titled("cohesive strength", "σ"),
+    key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "strength of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
     key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction; none: it slides freely").titled("shear strength of the adhesion", "τ"),
     key(&ADHESION, "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
     key(&ADHESION, "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),
