@@ -32,7 +32,7 @@ pub use scene::studies::{
     CorrelatedKeys, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey, UncertaintyTable,
     VolumeRule,
 };
-pub use scene::{Scene, TableTexts};
+pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
 pub use studies::parameters::Parameters;
 pub use tables::output::station;
