@@ -20,6 +20,7 @@ mod value;
 
 pub use body::{BODIES, body_of};
 pub use error::{SceneError, ValueError};
+pub use key::choice::Choice;
 pub use key::kind::{Key, Kind, Need, Setting};
 pub use key::table::Table;
 pub use keys::{KEYS, find_key, tables};
