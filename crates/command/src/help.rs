@@ -397,9 +397,7 @@ fn note(key: &Key) -> String {
         (Kind::Fixed(..) | Kind::Share(..), _) if key.table == "accuracy" => "chosen automatically".into(),
         (Kind::Share(..), _) => "none unless given".into(),
         (Kind::Text(_), _) => "the name of the file unless given".into(),
-        (Kind::LineLoad(_) | Kind::Hold(_) | Kind::Shape(_) | Kind::Start(_) | Kind::Terms(_) | Kind::Until(_), _) => {
-            key.takes()
-        }
+        (Kind::Word(_) | Kind::Shape(_), _) => key.takes(),
         _ => String::new(),
     }
 }
