@@ -8,21 +8,22 @@
 //! Expected: they lie in the intervals; terminal, summary.json and tables say one thing; parameters.toml is a scene with them; what cannot be
 //! fitted is refused before anything is computed, with what would be right.
 
+use crate::peel::{is_refused, refuses, run, scene};
 use serde_json::Value;
 use std::path::Path;
-use std::process::Command;
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
 
-fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
-    let plain = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), plain(output.stdout), plain(output.stderr))
+fn fit(dir: &Path, data: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    run(dir, &[&["fit", &scene("strip-fit"), "--data", data, "--set", "accuracy.relative=1e-4"], more].concat())
 }
 
-fn fit(dir: &Path, data: &str, more: &[&str]) -> (Option<i32>, String, String) {
-    let scene = format!("{SCENES}/strip-fit.toml");
-    peel(dir, &[&["fit", &scene, "--data", data, "--set", "accuracy.relative=1e-4"], more].concat())
+/// A fit to this file with this text is refused.
+#[track_caller]
+fn fit_refuses((data, text): (&str, &str), more: &[&str], parts: &[&str]) {
+    let arguments = ["fit", &scene("strip-fit"), "--data", data, "--set", "accuracy.relative=1e-4"];
+    let files = [(data, text)];
+    refuses(if text.is_empty() { &[] } else { &files }, &[&arguments, more].concat(), parts);
 }
 
 #[test]
@@ -50,7 +51,7 @@ fn known_parameters_are_found_again() {
     assert!(folder.join("fit.svg").exists() && folder.join("fit.png").exists());
     // the scene that was found is fitted already
     let again = ["fit", "fit/parameters.toml", "--data", &format!("{SCENES}/strip-fit.csv"), "--json"];
-    let (status, text, trouble) = peel(dir.path(), &again);
+    let (status, text, trouble) = run(dir.path(), &again);
     assert_eq!(status, Some(0), "{trouble}");
     let again: Value = serde_json::from_str(&text).unwrap();
     for (row, other) in fitted.iter().zip(again["fitted"].as_array().unwrap()) {
@@ -66,12 +67,6 @@ const GOOD: &str = "u (nm),P (nN)\n0,0\n0.1,0.1\n0.2,0.2\n0.3,0.2\n1,0.1\n2,0.09
 
 #[test]
 fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
-    let dir = tempfile::tempdir().unwrap();
-    let data = |name: &str, text: &str| {
-        let path = dir.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.display().to_string()
-    };
     let cases: &[Case] = &[
         (&[], "u (nm),t (s)\n0,0\n1,1\n", &["column `t (s)`", "displacement_nm,force_nN"]),
         (&[], "u (nm),v (nm)\n0,0\n1,1\n", &["two columns of displacements"]),
@@ -103,31 +98,24 @@ fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
         (&["--set", "friction.strength=20 MPa"], GOOD, &["friction"]),
     ];
     for (arguments, text, expected) in cases {
-        let (status, _, trouble) = fit(dir.path(), &data("curve.csv", text), arguments);
-        let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(status, Some(2), "{arguments:?} {text}: {trouble}");
-        for part in *expected {
-            assert!(plain.contains(part), "{arguments:?} {text}: {plain} lacks {part}");
-        }
+        fit_refuses(("curve.csv", text), arguments, expected);
     }
-    let no_data = fit(dir.path(), "nowhere.csv", &[]);
-    assert!(no_data.0 == Some(2) && no_data.2.contains("cannot be read"), "{no_data:?}");
-    assert!(!dir.path().join("out").exists());
+    fit_refuses(("nowhere.csv", ""), &[], &["cannot be read"]);
 }
 
 /// The most common mistake: numbers in nm and nN under the heading of µm and µN.
 #[test]
 fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
-    let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
+    let parts = ["uN is written there and nN is meant", "um is written there and nm is meant"];
+    let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
-    let (status, text, trouble) = fit(dir.path(), "um.csv", &[]);
-    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!((status, text.as_str()), (Some(2), ""), "{trouble}");
-    for part in ["uN is written there and nN is meant", "um is written there and nm is meant"] {
-        assert!(plain.contains(part), "{plain}");
-    }
+    is_refused(
+        dir.path(),
+        &["fit", &scene("strip-fit"), "--data", "um.csv", "--set", "accuracy.relative=1e-4"],
+        &parts,
+    );
 }
 
 /// Where the displacement zero is free, a search may go there and fit nothing.
@@ -155,8 +143,7 @@ fn a_parameter_without_influence_is_refused() {
         "fit.parameters=[\"adhesion.work\", \"adhesion.hamaker_constant\"]",
     ];
     let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
-    let (status, _, trouble) = fit(dir.path(), &format!("{SCENES}/strip-fit.csv"), &set);
-    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(status, Some(2), "{trouble}");
-    assert!(plain.contains("adhesion.hamaker_constant") && plain.contains("no influence"), "{plain}");
+    let (scene, data) = (scene("strip-fit"), format!("{SCENES}/strip-fit.csv"));
+    let arguments = [&["fit", &scene, "--data", &data, "--set", "accuracy.relative=1e-4"], &set[..]].concat();
+    is_refused(dir.path(), &arguments, &["adhesion.hamaker_constant", "no influence"]);
 }

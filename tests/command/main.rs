@@ -14,6 +14,7 @@ mod observed;
 mod optimise;
 mod out_of_plane;
 mod output_folders;
+mod peel;
 mod plot;
 mod pull;
 mod resume;

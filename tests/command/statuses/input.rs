@@ -119,7 +119,7 @@ fn is_answered_or_refused(key: &Key) {
         limited.args(["-c", "ulimit -v 2000000; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_peel"), command]);
         limited.arg(format!("{scenes}/{scene}.toml")).args(["--json", "--set", set.trim()]);
         if key.path() != "bounds.time" {
-            limited.args(["--set", "bounds.time=5 s"]);
+            limited.args(["--set", "bounds.time=1 s"]);
         }
         if command == "fit" {
             limited.args(["--data", &format!("{scenes}/strip-fit.csv")]);
