@@ -122,21 +122,24 @@ fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
     std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
-    let (status, text, trouble) = fit(dir.path(), "um.csv", &[]);
-    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!((status, text.as_str()), (Some(2), ""), "{trouble}");
-    for part in ["uN is written there and nN is meant", "um is written there and nm is meant"] {
-        assert!(plain.contains(part), "{plain}");
+    let with_zero = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
+    for more in [&[][..], &["--set", with_zero]] {
+        let (status, text, trouble) = fit(dir.path(), "um.csv", more);
+        let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!((status, text.as_str()), (Some(2), ""), "{trouble}");
+        for part in ["uN is written there and nN is meant", "um is written there and nm is meant"] {
+            assert!(plain.contains(part), "{plain}");
+        }
     }
 }
 
-/// Where the displacement zero is free, a search may go there and fit nothing.
+/// Where the displacement zero is free, a search may go there and fit nothing: here the displacements alone have another unit.
 #[test]
 fn a_fit_beside_the_measured_points_says_so() {
     let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
-    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
+    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_nN\n{rows}")).unwrap();
     let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
     let (_, text, trouble) = fit(dir.path(), "um.csv", &["--set", both, "--out", "fit"]);
     assert!(text.contains("no measured point lies on the path of the model"), "{text}{trouble}");
