@@ -43,7 +43,7 @@ pub use names::{
 };
 pub use number::{Finite, to_json};
 pub use outputs::outputs;
-pub use parameters_file::write_parameters;
+pub use parameters_file::{command_of_results, write_parameters};
 pub use pictures::fit::draw_fit;
 pub use pictures::followed::draw_followed;
 pub use pictures::observed::draw_observed;
