@@ -5,7 +5,7 @@ use crate::interrupt::Watch;
 use crate::peel::NativePeel;
 use peelkit::study::{self, Checkpoint};
 use peelkit_report::timed;
-use peelkit_scene::{KEYS, Key, Scene, Value, find_key};
+use peelkit_scene::{Described, KEYS, Key, Scene, Value, find_key};
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyList};
 use std::sync::Arc;
@@ -33,8 +33,8 @@ impl Source {
 
     /// The scene of a peel: one with a seta, or with a rate, is refused.
     pub fn of_peel(&self, py: Python) -> PyResult<&Scene> {
-        match (&self.scene.seta, &self.scene.time) {
-            (None, None) => Ok(&self.scene),
+        match self.scene.describes() {
+            Described::Peel => Ok(&self.scene),
             _ => {
                 let again = Scene::parse(&self.scene.name, &self.text, &self.overrides);
                 again.map(|_| &self.scene).map_err(|error| scene_error(py, &error))
@@ -129,11 +129,7 @@ impl NativeScene {
     /// What a run of it computes: "peel", "seta", or "rate".
     #[getter]
     fn subject(&self) -> &'static str {
-        match (&self.source.scene.time, &self.source.scene.seta) {
-            (Some(_), _) => "rate",
-            (None, Some(_)) => "seta",
-            (None, None) => "peel",
-        }
+        self.source.scene.describes().word()
     }
 
     /// The whole peel, computed without the interpreter.

@@ -7,8 +7,11 @@ use crate::seta::Setae;
 use peelkit::study::uncertainty::{Outcome, Sampled};
 use peelkit::study::{Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, Stage, StopCriteria, StopReason};
 use peelkit_report::{PulledAtRate, RateResult, seta_end_reason, timed};
-use peelkit_scene::{Scene, UncertaintyTable};
+use peelkit_scene::{Described, Scene, UncertaintyTable};
 use std::sync::OnceLock;
+
+/// Of a scene that has no pull.
+const A_PEEL: &str = "the scene is the peel of a beam in equilibrium";
 
 /// Pulls of scenes that differ from one another in some keys.
 pub struct Pulls {
@@ -30,10 +33,10 @@ pub struct Pulled {
 impl Pulls {
     /// Of scenes like this one; none where it is a peel.
     pub fn like(scene: &Scene) -> Option<Self> {
-        let what = match (&scene.time, &scene.seta) {
-            (Some(_), _) => "pulls at a rate",
-            (None, Some(_)) => "pull-offs of a seta",
-            (None, None) => return None,
+        let what = match scene.describes() {
+            Described::Rate(..) => "pulls at a rate",
+            Described::Seta(_) => "pull-offs of a seta",
+            Described::Peel => return None,
         };
         Some(Self { setae: Setae::like(scene), what })
     }
@@ -46,35 +49,40 @@ impl Pulls {
     /// The pull of a scene, or why there is none. Called from any thread.
     pub fn pulled(&self, scene: &Scene, stop: &StopCriteria) -> Result<Pulled, String> {
         scene.check_whole().map_err(|error| format!("{}. {}", error.found, error.remedy))?;
-        if scene.time.is_some() {
-            let (pulled, failed) = pull_at_rate(scene, &self.setae, stop)?;
-            let curve = at_rate(&pulled, failed.clone(), stop);
-            let found = RateResult::new(&pulled, failed);
-            let whole = curve.short.is_none();
-            return Ok(Pulled {
-                peak: whole.then_some((found.largest_force, found.displacement, None)),
-                work: whole.then_some(found.work),
-                curve,
-            });
+        match scene.describes() {
+            Described::Rate(table, seta) => {
+                let (pulled, failed) = pull_at_rate(scene, (table, seta), &self.setae, stop)?;
+                let curve = at_rate(&pulled, failed.clone(), stop);
+                let found = RateResult::new(&pulled, failed);
+                let whole = curve.short.is_none();
+                let peak = whole.then_some((found.largest_force, found.displacement, None));
+                Ok(Pulled { peak, work: whole.then_some(found.work), curve })
+            }
+            Described::Seta(table) => {
+                let (pull_off, found) = self.setae.pulled_off(scene, table, stop)?;
+                let whole = !found.end.is_cut_short();
+                let peak = found.peak.filter(|_| whole);
+                Ok(Pulled {
+                    peak: peak.map(|peak| (peak.force, peak.displacement, found.mesh_error)),
+                    work: whole.then_some(found.work),
+                    curve: of_seta(&pull_off),
+                })
+            }
+            Described::Peel => Err(A_PEEL.to_owned()),
         }
-        let (pull_off, found) = self.setae.pulled_off(scene, stop)?;
-        let whole = !found.end.is_cut_short();
-        let peak = found.peak.filter(|_| whole);
-        Ok(Pulled {
-            peak: peak.map(|peak| (peak.force, peak.displacement, found.mesh_error)),
-            work: whole.then_some(found.work),
-            curve: of_seta(&pull_off),
-        })
     }
 
     /// The curve of the pull of a scene alone, or why there is none. Called from any thread.
     pub fn curve(&self, scene: &Scene, stop: &StopCriteria) -> Result<PulledCurve, String> {
         scene.check_whole().map_err(|error| format!("{}. {}", error.found, error.remedy))?;
-        if scene.time.is_some() {
-            let (pulled, failed) = pull_at_rate(scene, &self.setae, stop)?;
-            return Ok(at_rate(&pulled, failed, stop));
+        match scene.describes() {
+            Described::Rate(table, seta) => {
+                let (pulled, failed) = pull_at_rate(scene, (table, seta), &self.setae, stop)?;
+                Ok(at_rate(&pulled, failed, stop))
+            }
+            Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
+            Described::Peel => Err(A_PEEL.to_owned()),
         }
-        Ok(of_seta(&self.setae.followed(scene, stop)?.1))
     }
 
     /// Times the first of the computations of a session, and tells what they cost.

@@ -11,10 +11,14 @@ use peelkit_scene::{Scene, SetaTable, TimeTable};
 /// A pull, and why it stopped short, if it did.
 pub type AsFar<P> = (P, Option<String>);
 
-/// The pull of a scene at its rate, of its beam or of its seta, whose tips have the law that such setae have in common; or why there is none.
-pub fn pull_at_rate(scene: &Scene, setae: &Setae, stop: &StopCriteria) -> Result<AsFar<PulledAtRate>, String> {
-    let Some(table) = &scene.time else { return Err("the scene has no [time]".to_owned()) };
-    match &scene.seta {
+/// The pull of a scene at the rate of a table, of its beam or of its seta, whose tips have the law that such setae have in common; or why there is none.
+pub fn pull_at_rate(
+    scene: &Scene,
+    (table, seta): (&TimeTable, Option<&SetaTable>),
+    setae: &Setae,
+    stop: &StopCriteria,
+) -> Result<AsFar<PulledAtRate>, String> {
+    match seta {
         None => {
             let (pulled, failed) = pull_beam(scene, table, stop).map_err(|why| why.to_string())?;
             Ok((PulledAtRate::from(&pulled), failed))

@@ -135,8 +135,6 @@ pub fn options(scene: &Scene) -> SetaOptions {
     SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() }
 }
 
-const NO_SETA: &str = "the scene has no [seta]";
-
 /// What their pull-offs have in common: the law of the tips, which is computed once where the key of the tips does not vary.
 pub struct Setae {
     tip: PeelModel,
@@ -169,14 +167,18 @@ impl Setae {
     }
 
     /// The numbers of the pull-off of the seta of a scene, or why there is none. Called from any thread.
-    pub fn pull_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<SetaResult, String> {
-        self.pulled_off(scene, stop).map(|(_, found)| found)
+    pub fn pull_off(&self, scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<SetaResult, String> {
+        self.pulled_off(scene, table, stop).map(|(_, found)| found)
     }
 
     /// The pull-off of the seta of a scene with its numbers, likewise.
-    pub fn pulled_off(&self, scene: &Scene, stop: &StopCriteria) -> Result<(SetaPullOff, SetaResult), String> {
-        let (model, pull_off) = self.followed(scene, stop)?;
-        let Some(table) = &scene.seta else { return Err(NO_SETA.to_owned()) };
+    pub fn pulled_off(
+        &self,
+        scene: &Scene,
+        table: &SetaTable,
+        stop: &StopCriteria,
+    ) -> Result<(SetaPullOff, SetaResult), String> {
+        let (model, pull_off) = self.followed(scene, table, stop)?;
         let (loading, options, wanted) = (scene.seta_loading(table), options(scene), scene.accuracy.relative);
         let peak = study::converged_peak(&model, &loading, &options, &pull_off, wanted, stop);
         let peak = peak.map_err(|error| error.to_string())?;
@@ -185,8 +187,12 @@ impl Setae {
     }
 
     /// The pull-off of the seta of a scene on the mesh of its curve, and what was pulled off, likewise.
-    pub fn followed(&self, scene: &Scene, stop: &StopCriteria) -> Result<(SetaModel, SetaPullOff), String> {
-        let Some(table) = &scene.seta else { return Err(NO_SETA.to_owned()) };
+    pub fn followed(
+        &self,
+        scene: &Scene,
+        table: &SetaTable,
+        stop: &StopCriteria,
+    ) -> Result<(SetaModel, SetaPullOff), String> {
         let (loading, options) = (scene.seta_loading(table), options(scene));
         let (model, pull_off) = match table.tip_law {
             SetaTipLaw::Curve => {

@@ -11,7 +11,7 @@ use super::text_summary::units::{UnitsArgs, WantedUnits};
 use super::{help, text_summary};
 use clap::Args;
 use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
-use peelkit_scene::{Scene, station};
+use peelkit_scene::{Described, Scene, station};
 use std::path::PathBuf;
 
 /// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
@@ -108,7 +108,7 @@ impl Run {
 
     /// Adds the stations of the command line to those of the scene.
     fn add_stations(&self, scene: &mut Scene) -> Result<(), Stop> {
-        if !self.at.is_empty() && (scene.seta.is_some() || scene.time.is_some()) {
+        if !self.at.is_empty() && !matches!(scene.describes(), Described::Peel) {
             return Err(Stop::bad_input(
                 "--at is given, and the scene has a [seta] or a [time]: stations are those of a path of equilibria of a beam",
                 "Omit --at.",

@@ -60,8 +60,8 @@ pub(crate) fn substrate(scene: &mut Scene) -> &mut Substrate {
 }
 
 /// What a scene may call the shape.
-pub(crate) fn shape_names() -> Vec<(&'static str, &'static str)> {
-    Substrate::all().into_iter().map(|(name, _)| (name, name)).collect()
+pub(crate) fn shape_names() -> Vec<&'static str> {
+    Substrate::all().into_iter().map(|(name, _)| name).collect()
 }
 
 /// Whether a substrate of this shape has a key of this name.

@@ -7,7 +7,7 @@ use crate::error::{Origin, SceneError, ValueError, nearest, one_line};
 use crate::key::kind::{Key, Kind};
 use crate::key::table::{SETA, TIME};
 use crate::keys::{KEYS, find_key, tables};
-use crate::scene::Scene;
+use crate::scene::{Described, Scene};
 use crate::tables::{rate, seta};
 use crate::value::Value;
 use crate::value::quantity::Comma;
@@ -46,15 +46,15 @@ impl Scene {
     pub fn parse(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let scene = Self::parse_any(name, text, overrides)?;
         let file = Origin::File { name, text };
-        match (&scene.time, &scene.seta) {
-            (Some(_), _) => Err(rate::refused(&file, header_of(text, TIME.name))),
-            (None, Some(_)) => Err(seta::refused(&file, header_of(text, SETA.name))),
-            (None, None) => Ok(scene),
+        match scene.describes() {
+            Described::Rate(..) => Err(rate::refused(&file, header_of(text, TIME.name))),
+            Described::Seta(_) => Err(seta::refused(&file, header_of(text, SETA.name))),
+            Described::Peel => Ok(scene),
         }
     }
 
     /// The same, of a scene that may have a seta, or be pulled at a rate, which [`Scene::parse`] refuses: who reads this has to look at
-    /// [`Scene::seta`] and [`Scene::time`].
+    /// [`Scene::describes`].
     pub fn parse_any(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };
         let document = DeTable::parse(text).map_err(|error| not_toml(&file, text, &error))?;

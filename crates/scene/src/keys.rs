@@ -2,6 +2,7 @@
 
 use crate::body::{number_of_shape, profile, space, spatula, strip, substrate};
 use crate::error::ValueError;
+use crate::key::choice::{ENDS, HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, choice};
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
@@ -114,7 +115,7 @@ const TIP_TOLERANCES: Range = Range::From(CoarseningOptions::TOLERANCES[0], Coar
 #[rustfmt::skip]
 pub static KEYS: &[Key] = &[
     key(&TOP, "title", Optional, Kind::Text(|s| &mut s.title), "heading of pictures and tables"),
-    key(&TOP, "terms", Optional, Kind::Terms(|s| &mut s.accuracy.terms), "model terms: all, or automatic model reduction to the tolerance"),
+    key(&TOP, "terms", Optional, choice!(TERMS, "\"auto\"", |s| &mut s.accuracy.terms), "model terms: all, or automatic model reduction to the tolerance"),
     key(&TOP, "space", Optional, Kind::InSpace, "peels the body in space; implied by its keys"),
 
     key(&STRIP, "length", Required, Kind::Quantity(Length, |s| &mut strip(s).length), "length L of the strip").titled("length of the strip", "L"),
@@ -125,7 +126,7 @@ pub static KEYS: &[Key] = &[
     number(&STRIP, "shear_correction", Optional, |s| &mut strip(s).material.shear_correction, "shear correction factor of the section").titled("shear correction factor", "k"),
     number(&STRIP, "bending_stiffness_factor", Optional, |s| &mut strip(s).material.bending_stiffness_factor, "multiplies the bending stiffness EI alone").titled("bending stiffness over that of the section", "EI/EI₀"),
     key(&STRIP, "crack", Optional, Kind::Bound(Length, |s| &mut strip(s).crack), "length of an initial crack at the grip").titled("length of the initial crack", "a₀"),
-    key(&STRIP, "section", Optional, Kind::Section(|s| &mut space(s).section), "in space: outline of the section").in_space(),
+    key(&STRIP, "section", Optional, choice!(SECTIONS, "\"ellipse\"", |s| &mut space(s).section), "in space: outline of the section").in_space(),
 
     key(&SPATULA, "pad_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_length), "length of the flat pad at the tip").titled("length of the pad", ""),
     key(&SPATULA, "neck_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).neck_length), "length of the neck, from the pad to the shaft").titled("length of the neck", ""),
@@ -174,11 +175,11 @@ pub static KEYS: &[Key] = &[
 
     key(&ADHESION, "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H of van der Waals forces").titled("Hamaker constant", "A_H"),
     key(&ADHESION, "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "r0 of a pair of molecules; gap at rest").titled("equilibrium distance", "r₀"),
-    key(&ADHESION, "law", Optional, Kind::Attraction(|s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
+    key(&ADHESION, "law", Optional, choice!(attractions(), "\"bilinear\"", |s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
     key(&ADHESION, "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of a cohesive law; else the half space's").titled("work of adhesion", "w"),
     key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "strength of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
     key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction; none: it slides freely").titled("shear strength of the adhesion", "τ"),
-    key(&ADHESION, "line_load", Optional, Kind::LineLoad(|s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
+    key(&ADHESION, "line_load", Optional, choice!(LINE_LOADS, "\"full\"", |s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
     key(&ADHESION, "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),
 
     key(&SUBSTRATE, "shape", Optional, Kind::Shape(substrate), "shape of the substrate"),
@@ -187,17 +188,17 @@ pub static KEYS: &[Key] = &[
     key(&SUBSTRATE, "wavelength", Required, Kind::Quantity(Length, |s| number_of_shape(substrate(s), "wavelength")), "distance from crest to crest").titled("wavelength of the ground", "λ"),
     measure(&SUBSTRATE, "offset", Optional, Length, |s| number_of_shape(substrate(s), "offset"), "distance of a crest, or of the top, from the free end").titled("distance of a crest from the free end", ""),
     key(&SUBSTRATE, "table", Required, Kind::Heights(substrate), "height profile as a CSV, or the name of its file"),
-    key(&SUBSTRATE, "start", Optional, Kind::Start(|s| &mut s.model.ground.start), "initially pressed on and conforming, or lying on the crests"),
+    key(&SUBSTRATE, "start", Optional, choice!(STARTS, "\"conformed\"", |s| &mut s.model.ground.start), "initially pressed on and conforming, or lying on the crests"),
 
     key(&FRICTION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.friction.strength), "shear strength of the contact; none: it slides freely").titled("shear strength of the contact", "τ"),
     number(&FRICTION, "coefficient", Optional, |s| &mut s.model.friction.coefficient, "Coulomb's friction coefficient").titled("friction coefficient", "μ"),
     key(&FRICTION, "presliding", Optional, Kind::Bound(Length, |s| &mut s.model.friction.presliding), "elastic presliding displacement").titled("elastic presliding displacement", ""),
 
-    key(&GRIP, "rotation", Optional, Kind::Hold(|s| &mut s.model.grip.rotation), "rotation of the right end, which is pulled"),
-    key(&GRIP, "horizontal", Optional, Kind::Hold(|s| &mut s.model.grip.horizontal), "displacement normal to the pull direction"),
-    key(&GRIP, "lateral", Optional, Kind::Hold(|s| &mut space(s).lateral), "in space: displacement normal to the plane of the pull").in_space(),
-    key(&GRIP, "roll", Optional, Kind::Hold(|s| &mut space(s).roll), "in space: rotation of the right end about its axis").in_space(),
-    key(&GRIP, "yaw", Optional, Kind::Hold(|s| &mut space(s).yaw), "in space: rotation of the right end about y").in_space(),
+    key(&GRIP, "rotation", Optional, choice!(HOLDS, "\"fixed\"", |s| &mut s.model.grip.rotation), "rotation of the right end, which is pulled"),
+    key(&GRIP, "horizontal", Optional, choice!(HOLDS, "\"fixed\"", |s| &mut s.model.grip.horizontal), "displacement normal to the pull direction"),
+    key(&GRIP, "lateral", Optional, choice!(HOLDS, "\"fixed\"", |s| &mut space(s).lateral), "in space: displacement normal to the plane of the pull").in_space(),
+    key(&GRIP, "roll", Optional, choice!(HOLDS, "\"fixed\"", |s| &mut space(s).roll), "in space: rotation of the right end about its axis").in_space(),
+    key(&GRIP, "yaw", Optional, choice!(HOLDS, "\"fixed\"", |s| &mut space(s).yaw), "in space: rotation of the right end about y").in_space(),
     key(&GRIP, "stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.model.grip.stiffness), "stiffness of a spring between grip and machine").titled("stiffness of the machine", "k"),
     key(&GRIP, "pretension", Optional, Kind::Bound(Force, |s| &mut s.model.grip.pretension), "adhered under this pretension; needs horizontal = \"fixed\"").titled("pretension", "T"),
 
@@ -222,7 +223,7 @@ pub static KEYS: &[Key] = &[
     key(&ACCURACY, "elements", Optional, Kind::Fixed(2000, |s| &mut s.accuracy.choice.elements), "number of elements, never raised").titled("number of elements", ""),
     share(&ACCURACY, "step", Optional, |s| &mut s.accuracy.choice.step, "predictor tolerance over the equilibrium gap").titled("predictor tolerance over the equilibrium gap", ""),
 
-    key(&PATH, "until", Optional, Kind::Until(|s| &mut s.bounds.until), "as far as what the path is followed"),
+    key(&PATH, "until", Optional, choice!(ENDS, "\"first-jump\"", |s| &mut s.bounds.until), "as far as what the path is followed"),
 
     key(&OUTPUT, "stations", Optional, Kind::Setting(&output::STATIONS), "exact values at which the path is computed besides"),
 

@@ -20,6 +20,7 @@ mod value;
 
 pub use body::{BODIES, body_of};
 pub use error::{SceneError, ValueError};
+pub use key::choice::Choice;
 pub use key::kind::{Key, Kind, Need, Setting};
 pub use key::table::Table;
 pub use keys::{KEYS, find_key, tables};
@@ -32,7 +33,7 @@ pub use scene::studies::{
     CorrelatedKeys, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey, UncertaintyTable,
     VolumeRule,
 };
-pub use scene::{Scene, TableTexts};
+pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
 pub use studies::parameters::Parameters;
 pub use tables::output::station;

@@ -15,7 +15,7 @@ pub use seta::{SetaOutcome, SetaRun};
 use crate::outcome::{Analysis, End, Outcome, Refusal};
 use crate::session::Session;
 use peelkit_report::{Journal, JournalKind, ReportError};
-use peelkit_scene::Scene;
+use peelkit_scene::{Described, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -34,10 +34,10 @@ impl<'s> Run<'s> {
     ///
     /// Fails where something is asked for that has no meaning for what the scene describes, or cannot be computed of it.
     pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
-        Ok(match (&scene.time, &scene.seta) {
-            (Some(_), _) => Self::Rate(RateRun::of(scene, asked)?),
-            (None, Some(_)) => Self::Seta(SetaRun::of(scene, asked)?),
-            (None, None) => Self::Peel(PeelRun::of(scene, asked)?),
+        Ok(match scene.describes() {
+            Described::Rate(..) => Self::Rate(RateRun::of(scene, asked)?),
+            Described::Seta(_) => Self::Seta(SetaRun::of(scene, asked)?),
+            Described::Peel => Self::Peel(PeelRun::of(scene, asked)?),
         })
     }
 }

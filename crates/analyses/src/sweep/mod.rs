@@ -16,9 +16,9 @@ use crate::rate::pull_at_rate;
 use crate::session::Session;
 use crate::seta::Setae;
 use compute::{Found, compute};
-use peelkit::study::{self, PeelResult, PointKind};
+use peelkit::study::{self, PeelResult, PointKind, SetaResult};
 use peelkit_report::{Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SweepLine, SweepRow, timed};
-use peelkit_scene::Scene;
+use peelkit_scene::{Described, Scene};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::io;
@@ -38,20 +38,18 @@ impl<'s> Sweep<'s> {
     ///
     /// Fails with the reason.
     pub fn allows(scene: &Scene, follows: bool, divided: bool) -> Result<(), Refusal> {
-        let [followed, whole, divides] = if scene.time.is_some() {
-            [
+        let [followed, whole, divides] = match scene.describes() {
+            Described::Rate(..) => [
                 "--follow and --peak-only have no meaning for a pull at a rate: they follow a limit point of equilibria",
                 "Omit them: each value is pulled as a whole.",
                 "--part divides sweeps of equilibria, and this is one of pulls at a rate",
-            ]
-        } else if scene.seta.is_some() {
-            [
+            ],
+            Described::Seta(_) => [
                 "--follow and --peak-only have no meaning for a seta: they follow a limit point of one beam",
                 "Omit them: each value is pulled off as a whole.",
                 "--part divides sweeps of single beams, and this is one of setae",
-            ]
-        } else {
-            return Ok(());
+            ],
+            Described::Peel => return Ok(()),
         };
         if follows {
             return Err(Refusal::asked(followed, whole));
@@ -118,16 +116,24 @@ impl Analysis for Sweep<'_> {
         let (rows, taken) = if let Some(kind) = self.follow {
             let (sweep, seconds) = follow::follow(kind, cases, session);
             (Rows::Followed(sweep, seconds), 0)
-        } else if scene.time.is_some() {
-            let (rows, taken) = self.rows(session, &journal, &|case| pull(&case.scene, &setae, session), pull_row)?;
-            (Rows::Rates(rows), taken)
-        } else if scene.seta.is_some() {
-            let of = |case: &Case| setae.pull_off(&case.scene, &session.stop_of_one(&case.scene));
-            let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
-            (Rows::Setae(rows), taken)
         } else {
-            let (rows, taken) = self.rows(session, &journal, &|case| peel(&case.scene, session), peel_row)?;
-            (Rows::Peels(rows), taken)
+            match scene.describes() {
+                Described::Rate(..) => {
+                    let of = |case: &Case| pull(&case.scene, &setae, session);
+                    let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
+                    (Rows::Rates(rows), taken)
+                }
+                Described::Seta(_) => {
+                    let of = |case: &Case| pull_off(&case.scene, &setae, session);
+                    let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
+                    (Rows::Setae(rows), taken)
+                }
+                Described::Peel => {
+                    let of = |case: &Case| peel(&case.scene, session);
+                    let (rows, taken) = self.rows(session, &journal, &of, peel_row)?;
+                    (Rows::Peels(rows), taken)
+                }
+            }
         };
         let taken = (taken > 0)
             .then(|| format!("{taken} of {} values taken from an earlier, interrupted run", cases.all.len()));
@@ -155,18 +161,25 @@ impl SceneRows {
     ///
     /// Fails where a number is not finite.
     pub fn row(&self, scene: &Scene, session: &Session) -> io::Result<String> {
-        if scene.time.is_some() {
-            let (found, solve_s) = timed(|| pull(scene, &self.setae, session));
-            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
-        } else if scene.seta.is_some() {
-            let (found, solve_s) = timed(|| self.setae.pull_off(scene, &session.stop_of_one(scene)));
-            PullRow { value: 0.0, second: None, found, solve_s }.to_json()
-        } else {
-            let (found, solve_s) = timed(|| peel(scene, session));
-            SweepLine::new(0.0, None, &found, solve_s).to_json()
+        match scene.describes() {
+            Described::Rate(..) => {
+                let (found, solve_s) = timed(|| pull(scene, &self.setae, session));
+                PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+            }
+            Described::Seta(_) => {
+                let (found, solve_s) = timed(|| pull_off(scene, &self.setae, session));
+                PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+            }
+            Described::Peel => {
+                let (found, solve_s) = timed(|| peel(scene, session));
+                SweepLine::new(0.0, None, &found, solve_s).to_json()
+            }
         }
     }
 }
+
+/// Of a scene that is of another kind than those beside it.
+const OTHER_KIND: &str = "the value makes another kind of scene";
 
 fn peel(scene: &Scene, session: &Session) -> PeelResult {
     PeelResult::from(&study::peel(&scene.model, &scene.accuracy, &session.stop_of_one(scene)))
@@ -179,8 +192,15 @@ fn peel_row(Found { case, found, solve_s }: Found<PeelResult>) -> SweepRow {
 
 /// The pull of a scene at its rate, or why there is none.
 fn pull(scene: &Scene, setae: &Setae, session: &Session) -> Result<RateResult, String> {
-    let (pulled, failed) = pull_at_rate(scene, setae, &session.stop_of_one(scene))?;
+    let Described::Rate(table, seta) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
+    let (pulled, failed) = pull_at_rate(scene, (table, seta), setae, &session.stop_of_one(scene))?;
     Ok(RateResult::new(&pulled, failed))
+}
+
+/// The pull-off of the seta of a scene, or why there is none.
+fn pull_off(scene: &Scene, setae: &Setae, session: &Session) -> Result<SetaResult, String> {
+    let Described::Seta(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
+    setae.pull_off(scene, table, &session.stop_of_one(scene))
 }
 
 fn pull_row<F>(Found { case, found, solve_s }: Found<Result<F, String>>) -> PullRow<F> {

@@ -11,7 +11,7 @@ use peelkit::study::{
     StopCriteria, StopReason, TestEnd, observed, peel, pull_in_time, pull_off, tip_curve,
 };
 use peelkit_report::{end_word, test_end_reason, test_end_word};
-use peelkit_scene::{Scene, SetaTable, TimeTable};
+use peelkit_scene::{Described, Scene, SetaTable, TimeTable};
 
 /// The curve of a tip begins with it pressed by so much, nm.
 const TIP_PRESSED: f64 = 50.0;
@@ -127,11 +127,11 @@ fn stop_after(seconds: f64) -> StopCriteria {
 fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting, patience: Patience) -> Run {
     let stop = StopCriteria { patience, ..stop_after(kind.longest_s()) };
     let started = ThreadTime::now();
-    let found = match (&scene.time, &scene.seta) {
-        (Some(table), _) => in_time(scene, table, &stop),
-        (None, Some(table)) => pulled_off(scene, table, &stop),
-        (None, None) if kind == SampleKind::Observed => tested(scene, way, &stop),
-        (None, None) => peeled(scene, way, &stop),
+    let found = match scene.describes() {
+        Described::Rate(table, _) => in_time(scene, table, &stop),
+        Described::Seta(table) => pulled_off(scene, table, &stop),
+        Described::Peel if kind == SampleKind::Observed => tested(scene, way, &stop),
+        Described::Peel => peeled(scene, way, &stop),
     };
     let Found { end, reason, elements, reported } = found;
     Run { end, reason, seconds: started.elapsed().as_secs_f64(), elements, reported }

@@ -11,8 +11,8 @@ use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
-use crate::sweep_row::SweepRow;
-use crate::swept_keys::{SweptKeys, as_given};
+use crate::swept::SweepRow;
+use crate::swept::{SweptKeys, as_given};
 use std::path::{Path, PathBuf};
 
 /// Shades of the colour bar.

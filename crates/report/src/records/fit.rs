@@ -1,17 +1,15 @@
 //! A fit: fit.csv, profiles.csv where there are profiles, and the object summary.json. Units stand in the names.
 
-use super::parameters::parameters;
-use super::summary::{Found, Summary};
+use super::summary::{Found, Summary, parameters};
 use crate::error::ReportError;
-use crate::fit_report::FitReport;
-use crate::record::{Fields, Object, Record};
+use crate::record::{Fields, Object, Record, write_table};
 use crate::reference::Output;
-use crate::table::write_table;
 use crate::unknown_error::unknown_error;
 use peelkit::study::{
-    Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace,
+    Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, MeasuredCurve, PairDetermined,
+    PointPlace,
 };
-use peelkit_scene::Scene;
+use peelkit_scene::{Key, Scene, find_key};
 use std::path::{Path, PathBuf};
 
 impl Record for FittedPoint {
@@ -201,4 +199,34 @@ pub(crate) fn outputs() -> Vec<Output> {
         Output::table("fit.csv", FittedPoint::keys()),
         Output::table("profiles.csv", ProfileRow::keys()),
     ]
+}
+
+// -- What a fit is reported with besides its result: its scene, its file and how long it took --
+
+/// A fit with where it comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct FitReport<'a> {
+    /// The scene with the parameters at which the search began
+    pub scene: &'a Scene,
+    /// The file of the measured curve, as it was named
+    pub file: &'a str,
+    /// What was read from it
+    pub measured: &'a MeasuredCurve,
+    /// What was found
+    pub fit: &'a Fit,
+    /// Seconds that it took
+    pub solve_s: f64,
+}
+
+impl FitReport<'_> {
+    /// The scene with the parameters that were found.
+    pub fn fitted_scene(&self) -> Scene {
+        let numbers = self.fit.parameters.iter().map(|parameter| (parameter.key.as_str(), parameter.value));
+        self.scene.with_numbers(numbers)
+    }
+
+    /// The unit of a parameter; empty where it has none.
+    pub fn unit(&self, index: usize) -> &'static str {
+        find_key(&self.fit.parameters[index].key).map_or("", Key::unit)
+    }
 }

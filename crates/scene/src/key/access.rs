@@ -1,6 +1,5 @@
 //! A value goes into a scene under its key, and comes out again.
 
-use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, word};
 use super::kind::{Key, Kind};
 use crate::body::{set_space, shape_names};
 use crate::error::ValueError;
@@ -10,7 +9,6 @@ use crate::value::table::{read_heights, read_profile};
 use crate::value::{Fault, Value, pieces, quoted, steps};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
-use peelkit::study::FollowedUntil;
 use std::sync::Arc;
 
 impl Key {
@@ -31,13 +29,7 @@ impl Key {
                     |fault: Fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) };
                 *place(scene) = ProfileForm::Pieces(pieces::read(items).map_err(problem)?);
             }
-            (Kind::Attraction(place), Value::Text(word)) => *place(scene) = self.pick(&attractions(), word)?,
-            (Kind::LineLoad(place), Value::Text(word)) => *place(scene) = self.pick(LINE_LOADS, word)?,
-            (Kind::Hold(place), Value::Text(word)) => *place(scene) = self.pick(HOLDS, word)?,
-            (Kind::Section(place), Value::Text(word)) => *place(scene) = self.pick(SECTIONS, word)?,
-            (Kind::Start(place), Value::Text(word)) => *place(scene) = self.pick(STARTS, word)?,
-            (Kind::Terms(place), Value::Text(word)) => *place(scene) = self.pick(TERMS, word)?,
-            (Kind::Until(place), Value::Text(word)) => *place(scene) = self.pick(&FollowedUntil::NAMED, word)?,
+            (Kind::Word(choice), Value::Text(word)) => (choice.put)(scene, self.pick(&(choice.words)(), word)?),
             (Kind::Setting(setting), value) => (setting.read)(scene, value, keys)
                 .map_err(|fault| ValueError { item: fault.item, ..ValueError::new(fault.found, self.remedy()) })?,
             (Kind::Steps(place), Value::List(items)) => {
@@ -46,8 +38,8 @@ impl Key {
                 *place(scene) = steps::read(&texts).map_err(|found| ValueError::new(found, self.remedy()))?;
             }
             (Kind::Shape(place), Value::Text(word)) => {
-                let name = self.pick(&shape_names(), word)?;
-                place(scene).take_shape(name);
+                let shapes = shape_names();
+                place(scene).take_shape(shapes[self.pick(&shapes, word)?]);
                 if !matches!(place(scene), Substrate::Profile(_)) {
                     scene.table_texts.substrate.clear();
                 }
@@ -161,13 +153,7 @@ impl Key {
                 ProfileForm::Pieces(pieces) => pieces::written(pieces),
                 ProfileForm::Table(_) => return None,
             },
-            Kind::Attraction(place) => Value::Text(place(&mut scene).name().to_owned()),
-            Kind::LineLoad(place) => Value::Text(word(LINE_LOADS, *place(&mut scene))),
-            Kind::Hold(place) => Value::Text(word(HOLDS, *place(&mut scene))),
-            Kind::Section(place) => Value::Text(word(SECTIONS, *place(&mut scene))),
-            Kind::Start(place) => Value::Text(word(STARTS, *place(&mut scene))),
-            Kind::Terms(place) => Value::Text(word(TERMS, *place(&mut scene))),
-            Kind::Until(place) => Value::Text(place(&mut scene).name().to_owned()),
+            Kind::Word(choice) => Value::Text(choice.word(&mut scene)?.to_owned()),
             Kind::Steps(place) => {
                 Value::List(place(&mut scene).iter().map(|step| Value::Text(step.to_string())).collect())
             }

@@ -1,30 +1,71 @@
-//! The words that a key with a choice takes.
+//! A key that takes one of several words: which, and where in a scene the one that is chosen stands.
 
+use crate::scene::Scene;
 use peelkit::adhesion::{LineLoad, SectionShape};
 use peelkit::model::{Attraction, Hold, Start};
-use peelkit::study::Terms;
+use peelkit::study::{FollowedUntil, Terms};
 
-pub(super) const LINE_LOADS: &[(&str, LineLoad)] =
+/// Words with what they mean.
+type Named<T> = &'static [(&'static str, T)];
+
+pub(crate) const LINE_LOADS: Named<LineLoad> =
     &[("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
-pub(super) const STARTS: &[(&str, Start)] = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
-pub(super) const TERMS: &[(&str, Terms)] = &[("all", Terms::All), ("auto", Terms::Auto)];
-pub(super) const SECTIONS: &[(&str, SectionShape)] =
+pub(crate) const STARTS: Named<Start> = &[("conformed", Start::Conformed), ("flat", Start::Crests)];
+pub(crate) const TERMS: Named<Terms> = &[("all", Terms::All), ("auto", Terms::Auto)];
+pub(crate) const SECTIONS: Named<SectionShape> =
     &[("rectangle", SectionShape::Rectangle), ("ellipse", SectionShape::Ellipse)];
-pub(super) const HOLDS: &[(&str, Hold)] = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
+pub(crate) const HOLDS: Named<Hold> = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
+pub(crate) const ENDS: Named<FollowedUntil> = &FollowedUntil::NAMED;
 
 /// The names of the adhesion models in a scene.
-pub(super) fn attractions() -> Vec<(&'static str, Attraction)> {
+pub(crate) fn attractions() -> Vec<(&'static str, Attraction)> {
     Attraction::all().map(|attraction| (attraction.name(), attraction)).collect()
 }
 
-/// The word for a value.
-pub(super) fn word<T: Copy + PartialEq>(choices: &[(&'static str, T)], value: T) -> String {
-    choices.iter().find(|(_, choice)| *choice == value).map_or("", |(word, _)| word).to_owned()
+/// What a key of words takes, and where it goes.
+#[derive(Debug)]
+pub struct Choice {
+    /// The words
+    pub words: fn() -> Vec<&'static str>,
+    /// A word that is right, in quotes, as it stands in a scene
+    pub example: &'static str,
+    /// Puts the word with this number into a scene
+    pub(crate) put: fn(&mut Scene, usize),
+    /// The number of the word that a scene holds
+    pub(crate) held: fn(&mut Scene) -> Option<usize>,
+}
+
+/// The choice of one of these words with what they mean, for a place of a scene.
+macro_rules! choice {
+    ($named:expr, $example:literal, $place:expr) => {
+        $crate::key::kind::Kind::Word(&$crate::key::choice::Choice {
+            words: || $named.iter().map(|(word, _)| *word).collect(),
+            example: $example,
+            put: |scene, number| {
+                let place: fn(&mut $crate::scene::Scene) -> &mut _ = $place;
+                if let Some(&(_, chosen)) = $named.get(number) {
+                    *place(scene) = chosen;
+                }
+            },
+            held: |scene| {
+                let place: fn(&mut $crate::scene::Scene) -> &mut _ = $place;
+                $named.iter().position(|(_, choice)| *choice == *place(scene))
+            },
+        })
+    };
+}
+pub(crate) use choice;
+
+impl Choice {
+    /// The word that a scene holds.
+    pub(crate) fn word(&self, scene: &mut Scene) -> Option<&'static str> {
+        (self.words)().get((self.held)(scene)?).copied()
+    }
 }
 
 /// All the words, as a sentence lists them.
-pub(super) fn words<T>(choices: &[(&'static str, T)]) -> String {
-    let words: Vec<String> = choices.iter().map(|(word, _)| format!("\"{word}\"")).collect();
+pub(crate) fn listed(words: &[&str]) -> String {
+    let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
     match words.split_last() {
         Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
         _ => words.concat(),

@@ -1,13 +1,13 @@
 //! One key of a scene: what it takes, and where in a scene its value goes.
 
+use super::choice::Choice;
 use super::table::Table;
 use crate::scene::Scene;
 use crate::value::form::Form;
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
-use peelkit::adhesion::{LineLoad, SectionShape, Substrate};
-use peelkit::model::{Attraction, Hold, ProfileForm, Range, Start, Step};
-use peelkit::study::{FollowedUntil, Terms};
+use peelkit::adhesion::Substrate;
+use peelkit::model::{ProfileForm, Range, Step};
 
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,28 +58,16 @@ pub enum Kind {
     Flag(fn(&mut Scene) -> &mut bool),
     /// true or false: whether the scene is in space
     InSpace,
-    /// A word for the outline of a section.
-    Section(fn(&mut Scene) -> &mut SectionShape),
+    /// One of several words.
+    Word(&'static Choice),
     /// A table along a beam: a CSV of several lines, or the name of its file, which is looked for beside the scene.
     Table(fn(&mut Scene) -> &mut ProfileForm),
     /// A list of the pieces of a beam, in place of a table.
     Pieces(fn(&mut Scene) -> &mut ProfileForm),
-    /// A word for the law of adhesion.
-    Attraction(fn(&mut Scene) -> &mut Attraction),
-    /// A word for the load on the axis.
-    LineLoad(fn(&mut Scene) -> &mut LineLoad),
-    /// A word for what the grip constrains.
-    Hold(fn(&mut Scene) -> &mut Hold),
     /// A word for the shape of the substrate.
     Shape(fn(&mut Scene) -> &mut Substrate),
     /// Heights of the substrate: a CSV of several lines, or the name of its file, which is looked for beside the scene.
     Heights(fn(&mut Scene) -> &mut Substrate),
-    /// A word for how the beam has come to lie.
-    Start(fn(&mut Scene) -> &mut Start),
-    /// A word for which terms of the model are computed.
-    Terms(fn(&mut Scene) -> &mut Terms),
-    /// A word for as far as what a path is followed.
-    Until(fn(&mut Scene) -> &mut FollowedUntil),
     /// A setting of an analysis that the scene asks for.
     Setting(&'static Setting),
     /// A list of motions of the grip before the pull.

@@ -1,6 +1,5 @@
 //! A key in a few words, as a list of keys shows it: the title of its axis, and what it may be.
 
-use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions};
 use super::kind::{Key, Kind};
 use crate::body::shape_names;
 use crate::value::form::Form;
@@ -8,7 +7,6 @@ use crate::value::pieces::PIECE;
 use crate::value::quantity::Dimension;
 use crate::value::{show, steps};
 use peelkit::model::Range;
-use peelkit::study::FollowedUntil;
 
 impl Key {
     /// The key as the title of an axis, in [`Key::usual_unit`]: "height of the section h (nm)".
@@ -91,18 +89,9 @@ impl Key {
 
     /// The words that the key takes, where it takes one of several.
     pub fn choices(&self) -> Vec<&'static str> {
-        fn words<T>(choices: &[(&'static str, T)]) -> Vec<&'static str> {
-            choices.iter().map(|(word, _)| *word).collect()
-        }
         match self.kind {
-            Kind::Attraction(_) => words(&attractions()),
-            Kind::LineLoad(_) => words(LINE_LOADS),
-            Kind::Hold(_) => words(HOLDS),
-            Kind::Section(_) => words(SECTIONS),
-            Kind::Start(_) => words(STARTS),
-            Kind::Terms(_) => words(TERMS),
-            Kind::Until(_) => words(&FollowedUntil::NAMED),
-            Kind::Shape(_) => words(&shape_names()),
+            Kind::Word(choice) => (choice.words)(),
+            Kind::Shape(_) => shape_names(),
             _ => Vec::new(),
         }
     }

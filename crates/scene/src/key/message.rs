@@ -1,13 +1,11 @@
 //! What is said about a key: what it takes, an example, and what is wrong with a value.
 
-use super::choice::{HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, words};
+use super::choice::listed;
 use super::kind::{Key, Kind};
-use crate::body::shape_names;
 use crate::error::{ValueError, nearest, one_line};
 use crate::value::quantity::{Comma, Dimension, QuantityError};
 use crate::value::{Value, pieces, quoted, show, steps};
 use peelkit::model::Range;
-use peelkit::study::FollowedUntil;
 
 impl Key {
     /// What the key takes, in words.
@@ -29,17 +27,10 @@ impl Key {
                                width_nm, height_nm and, optionally, angle_deg and roundness"
                     .into()
             }
-            Kind::Attraction(_) => words(&attractions()),
-            Kind::LineLoad(_) => words(LINE_LOADS),
-            Kind::Hold(_) => words(HOLDS),
-            Kind::Section(_) => words(SECTIONS),
-            Kind::Start(_) => words(STARTS),
-            Kind::Terms(_) => words(TERMS),
-            Kind::Until(_) => words(&FollowedUntil::NAMED),
+            Kind::Word(_) | Kind::Shape(_) => listed(&self.choices()),
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
-            Kind::Shape(_) => words(&shape_names()),
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns x_nm and \
                                height_nm"
@@ -52,6 +43,7 @@ impl Key {
     pub fn example(&self) -> &'static str {
         match (self.name, &self.kind) {
             (_, Kind::Setting(setting)) => setting.example,
+            (_, Kind::Word(choice)) => choice.example,
             ("length" | "wavelength", _) => "\"100 nm\"",
             ("radius", _) => "\"200 nm\"",
             ("crack", _) => "\"30 nm\"",
@@ -98,14 +90,7 @@ impl Key {
             (_, Kind::Flag(_) | Kind::InSpace) => "true",
             (_, Kind::Table(_)) => "\"s_nm,width_nm,height_nm\\n0,20,5\\n100,20,10\"",
             (_, Kind::Pieces(_)) => "[{ length = \"90 nm\", width = [\"9 nm\", \"5 nm\"], height = \"5 nm\" }]",
-            (_, Kind::Attraction(_)) => "\"bilinear\"",
-            (_, Kind::LineLoad(_)) => "\"full\"",
-            (_, Kind::Hold(_)) => "\"fixed\"",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
-            (_, Kind::Section(_)) => "\"ellipse\"",
-            (_, Kind::Start(_)) => "\"conformed\"",
-            (_, Kind::Until(_)) => "\"first-jump\"",
-            (_, Kind::Terms(_)) => "\"auto\"",
             (_, Kind::Shape(_)) => "\"flat\"",
             (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
         }
@@ -120,11 +105,12 @@ impl Key {
         format!("`{}` takes {}; for example {}", self.name, self.takes(), self.example_line())
     }
 
-    pub(super) fn pick<T: Copy>(&self, choices: &[(&'static str, T)], found: &str) -> Result<T, ValueError> {
-        if let Some(&(_, choice)) = choices.iter().find(|(word, _)| *word == found) {
-            return Ok(choice);
+    /// The number of one of these words.
+    pub(super) fn pick(&self, words: &[&'static str], found: &str) -> Result<usize, ValueError> {
+        if let Some(number) = words.iter().position(|word| *word == found) {
+            return Ok(number);
         }
-        let near = nearest(found, choices.iter().map(|&(word, _)| word));
+        let near = nearest(found, words.iter().copied());
         let guess = near.map(|word| format!("Did you mean \"{word}\"? ")).unwrap_or_default();
         Err(ValueError::new(
             format!("is {}, which is none of its values", quoted(found)),

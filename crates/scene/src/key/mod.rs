@@ -2,7 +2,7 @@
 
 pub(crate) mod access;
 pub(crate) mod belongs;
-mod choice;
+pub(crate) mod choice;
 pub(crate) mod kind;
 pub(crate) mod list;
 mod listing;

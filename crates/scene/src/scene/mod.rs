@@ -54,6 +54,46 @@ pub struct TableTexts {
     pub substrate: String,
 }
 
+/// What a scene describes, with the tables that say so.
+#[derive(Clone, Copy, Debug)]
+pub enum Described<'s> {
+    /// The peel of a beam, by its equilibria
+    Peel,
+    /// The pull-off of a seta, by its equilibria
+    Seta(&'s SetaTable),
+    /// A beam pulled at a rate, or a seta
+    Rate(&'s TimeTable, Option<&'s SetaTable>),
+}
+
+impl Described<'_> {
+    /// The numbers that its run has.
+    pub(crate) fn quantities(self) -> &'static [PeelQuantity] {
+        match self {
+            Self::Peel => &PeelQuantity::OF_A_PEEL,
+            Self::Seta(_) => &PeelQuantity::OF_A_SETA,
+            Self::Rate(..) => &PeelQuantity::AT_A_RATE,
+        }
+    }
+
+    /// In words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Self::Peel => "a peel",
+            Self::Seta(_) => "the pull-off of a seta",
+            Self::Rate(..) => "a pull at a rate",
+        }
+    }
+
+    /// The word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Peel => "peel",
+            Self::Seta(_) => "seta",
+            Self::Rate(..) => "rate",
+        }
+    }
+}
+
 impl Scene {
     /// The same with every table that a scene may hold.
     pub(crate) fn of_defaults() -> Self {
@@ -89,6 +129,15 @@ impl Scene {
 }
 
 impl Scene {
+    /// What it describes.
+    pub fn describes(&self) -> Described<'_> {
+        match (&self.time, &self.seta) {
+            (Some(time), seta) => Described::Rate(time, seta.as_ref()),
+            (None, Some(seta)) => Described::Seta(seta),
+            (None, None) => Described::Peel,
+        }
+    }
+
     /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
     /// tips is computed of.
     pub fn tip_model(&self) -> PeelModel {
@@ -101,15 +150,6 @@ impl Scene {
         match self.seta {
             None => study::checked(&self.model, &self.accuracy),
             Some(_) => study::checked(&self.tip_model(), &self.accuracy),
-        }
-    }
-
-    /// The numbers that a run of the scene has, and in words what has them.
-    pub(crate) fn quantities(&self) -> (&'static [PeelQuantity], &'static str) {
-        match (&self.time, &self.seta) {
-            (Some(_), _) => (&PeelQuantity::AT_A_RATE, "a pull at a rate"),
-            (None, Some(_)) => (&PeelQuantity::OF_A_SETA, "the pull-off of a seta"),
-            (None, None) => (&PeelQuantity::OF_A_PEEL, "a peel"),
         }
     }
 }
@@ -137,7 +177,7 @@ impl Scene {
 
     /// The first number that a run of the scene has is what is asked for where the scene does not say it.
     pub(crate) fn uncertainty_table(&mut self) -> &mut UncertaintyTable {
-        let first = self.quantities().0[0];
+        let first = self.describes().quantities()[0];
         self.uncertainty
             .get_or_insert_with(|| UncertaintyTable { quantities: vec![first], ..UncertaintyTable::default() })
     }

@@ -5,8 +5,8 @@ use crate::body::body_of;
 use crate::error::ValueError;
 use crate::key::kind::Key;
 use crate::keys::find_key;
-use crate::scene::Scene;
 use crate::scene::studies::{FreeKey, OptimisationTable, VolumeRule};
+use crate::scene::{Described, Scene};
 use crate::tables::{rate, seta};
 use crate::value::{Value, show};
 use peelkit::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
@@ -81,7 +81,7 @@ impl Scene {
     /// [`DesignProblem::number`].
     pub fn design_problem(&self) -> Option<DesignProblem<'static>> {
         let table = self.optimisation.as_ref()?;
-        let objective = table.objective().unwrap_or(Objective::Quantity(self.quantities().0[0]));
+        let objective = table.objective().unwrap_or(Objective::Quantity(self.describes().quantities()[0]));
         let columns = table.columns();
         let designs = self.designs(table);
         let profile = designs.profile.clone();
@@ -323,11 +323,11 @@ impl Wrong<'_> {
     }
 
     fn method(&self) -> Checked {
-        let is_peel = self.scene.seta.is_none() && self.scene.time.is_none();
+        let is_peel = matches!(self.scene.describes(), Described::Peel);
         if let Some(method) = self.table.method.filter(|&method| !is_peel && method != SearchMethod::DerivativeFree) {
             return refuse(
                 "method",
-                format!("is \"{}\", and {} has no derivatives", method.word(), self.scene.quantities().1),
+                format!("is \"{}\", and {} has no derivatives", method.word(), self.scene.describes().words()),
                 "Use \"derivative-free\", or leave it out.",
             );
         }

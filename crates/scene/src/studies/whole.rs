@@ -17,7 +17,7 @@ impl Scene {
 
 /// That a run of a scene does not have a number; nothing where it has.
 pub(super) fn has_no(scene: &Scene, of: PeelQuantity) -> Option<ValueError> {
-    let (own, subject) = scene.quantities();
+    let (own, subject) = (scene.describes().quantities(), scene.describes().words());
     let names: Vec<&str> = own.iter().map(|of| of.name()).collect();
     let found = format!("names \"{}\", which {subject} does not have", of.name());
     (!own.contains(&of)).then(|| ValueError::new(found, format!("Of {subject} there are {}.", names.join(", "))))

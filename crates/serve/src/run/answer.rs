@@ -7,7 +7,7 @@ use crate::run::curve::Curve;
 use crate::run::poses::{Poses, shown_states};
 use crate::run::runs::RunEnd;
 use peelkit_analyses::{Analysis, Asked, Outcome, Run, RunOutcome, Session};
-use peelkit_scene::Scene;
+use peelkit_scene::{Described, Scene};
 use serde::Serialize;
 
 /// What stands beside the summary of a run.
@@ -28,14 +28,6 @@ struct Beside {
     no_test: Option<String>,
 }
 
-fn kind(outcome: &RunOutcome) -> &'static str {
-    match outcome {
-        RunOutcome::Peel(_) => "peel",
-        RunOutcome::Seta(_) => "seta",
-        RunOutcome::Rate(_) => "rate",
-    }
-}
-
 /// The run of a scene as the command does it, which ends with its end.
 pub(crate) fn run(scene: &Scene, observed: bool, end: &RunEnd) -> Result<RunOutcome, Refusal> {
     let asked = Asked { observed, states: shown_states(scene), ..Asked::default() };
@@ -47,7 +39,7 @@ pub(crate) fn run(scene: &Scene, observed: bool, end: &RunEnd) -> Result<RunOutc
 pub(crate) fn answer(request: &PeelRequest, end: &RunEnd) -> Result<Vec<u8>, Refusal> {
     let scene = request.scene.read()?;
     let wants = |part: Part| request.parts.contains(&part);
-    let has_test = scene.seta.is_none() && scene.time.is_none();
+    let has_test = matches!(scene.describes(), Described::Peel);
     let tested = (wants(Part::Test) && has_test).then(|| run(&scene, true, end));
     let (outcome, no_test) = match tested {
         Some(Ok(outcome)) => (outcome, None),
@@ -55,7 +47,7 @@ pub(crate) fn answer(request: &PeelRequest, end: &RunEnd) -> Result<Vec<u8>, Ref
         None => (run(&scene, false, end)?, None),
     };
     let beside = Beside {
-        kind: kind(&outcome),
+        kind: scene.describes().word(),
         curve: wants(Part::Curve).then(|| Curve::of(&outcome)),
         poses: wants(Part::Poses).then(|| Poses::of(&outcome)),
         controls: wants(Part::Controls).then(|| controls(&scene)),

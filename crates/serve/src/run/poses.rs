@@ -4,7 +4,7 @@ use crate::run::curve::pulled;
 use peelkit::study::{Peel, SetaBranch};
 use peelkit_analyses::{RunOutcome, SetaOutcome};
 use peelkit_report::{Pose, PulledAtRate};
-use peelkit_scene::Scene;
+use peelkit_scene::{Described, Scene};
 use serde::Serialize;
 
 /// Parts of the largest extent to which a place of an outline is rounded.
@@ -21,8 +21,8 @@ const STATES: usize = 40;
 
 /// How many states of the seta of a scene are shown; none of a beam.
 pub(crate) fn shown_states(scene: &Scene) -> Option<u32> {
-    let seta = scene.seta.as_ref().filter(|_| scene.time.is_none())?;
-    Some(states_of(seta.seta.forks) as u32)
+    let Described::Seta(table) = scene.describes() else { return None };
+    Some(states_of(table.seta.forks) as u32)
 }
 
 /// How many states of a seta with so many forks are shown.

@@ -1,12 +1,36 @@
-//! The table of a sweep of setae, sweep.csv, and the same as one object.
-
-use super::row::SetaRow;
+//! A sweep of setae: its rows, sweep.csv, the same as one object, and the picture.
+use crate::chart::style::colour;
 use crate::error::ReportError;
+use crate::pictures::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::record::{Fields, Record};
 use crate::records::sweep::{SweepSummary, write_swept};
-use crate::swept_keys::SweptKeys;
+use crate::seta::names::end_word;
+use crate::swept::{PullRow, SweptKeys};
+use peelkit::study::{SetaMoment, SetaResult};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
+
+/// One value of a sweep of setae: forces in nN, displacements in nm, works in aJ.
+pub type SetaRow = PullRow<SetaResult>;
+
+impl SetaRow {
+    /// Its peak, if it was reached.
+    pub fn peak(&self) -> Option<SetaMoment> {
+        self.found.as_ref().ok()?.peak
+    }
+
+    /// The name of its end in outputs.
+    pub fn end(&self) -> &'static str {
+        self.found.as_ref().map_or("failed", |found| end_word(&found.end, found.attached))
+    }
+
+    /// Work of the root, of a pull-off that was computed to its end, aJ.
+    pub(super) fn work(&self) -> Option<f64> {
+        self.found.as_ref().ok().filter(|found| !found.end.is_cut_short()).map(|found| found.work)
+    }
+}
+
+// -- The table of a sweep of setae, sweep.csv, and the same as one object --
 
 impl Record for SetaRow {
     #[rustfmt::skip]
@@ -47,4 +71,45 @@ impl<'a> SweepSummary<'a, &'a SetaRow> {
     pub fn of_setae(scene: &'a Scene, keys: SweptKeys<'a>, rows: &'a [SetaRow], remarks: &[String]) -> Self {
         Self::of_rows(scene, keys, rows.iter(), remarks)
     }
+}
+
+// -- The picture of a sweep of setae: the peak force, the tips that adhere there, and the work, against the varied value; or maps over two --
+
+const QUANTITIES: [Quantity<SetaResult>; 3] = [
+    Quantity {
+        label: "peak force P (nN)",
+        of: |row| row.peak().map(|at| at.force),
+        colour: colour::BLUE,
+        height: 260.0,
+        has_map: true,
+    },
+    Quantity {
+        label: "tips attached at the peak",
+        of: |row| row.peak().map(|at| at.attached as f64),
+        colour: colour::VERMILLION,
+        height: 160.0,
+        has_map: false,
+    },
+    Quantity {
+        label: "work of the root W (aJ)",
+        of: SetaRow::work,
+        colour: colour::GREEN,
+        height: 160.0,
+        has_map: true,
+    },
+];
+
+/// Draws `sweep.svg` and `sweep.png` into `dir`: of one key the peak force, the tips that adhere there and the work of the root against its values,
+/// of two keys maps of peak force and work, on logarithmic axes where `log` is set.
+///
+/// Fails where no value has a peak, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
+/// ([`ReportError::Write`]).
+pub fn draw_swept_setae(
+    dir: &Path,
+    keys: SweptKeys,
+    rows: &[SetaRow],
+    title: &str,
+    log: [bool; 2],
+) -> Result<Vec<PathBuf>, ReportError> {
+    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), title, log)
 }
