@@ -133,12 +133,17 @@ fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
     }
 }
 
-/// Where the displacement zero is free, a search may go there and fit nothing: here the displacements alone have another unit.
+/// Where the displacement zero is free, a search may go there and fit nothing: here displacements are a hundred times too large.
 #[test]
 fn a_fit_beside_the_measured_points_says_so() {
     let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
+    let row = |row: &str| {
+        let (displacement, force) = row.split_once(',').unwrap();
+        format!("{},{force}\n", 0.1 * displacement.parse::<f64>().unwrap())
+    };
+    let rows: String = rows.lines().map(row).collect();
     std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_nN\n{rows}")).unwrap();
     let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
     let (_, text, trouble) = fit(dir.path(), "um.csv", &["--set", both, "--out", "fit"]);
