@@ -111,20 +111,25 @@ fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
     let parts = ["uN is written there and nN is meant", "um is written there and nm is meant"];
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
-    is_refused(
-        dir.path(),
-        &["fit", &scene("strip-fit"), "--data", "um.csv", "--set", "accuracy.relative=1e-4"],
-        &parts,
-    );
+    let with_zero = ["--set", "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]"];
+    for more in [&[][..], &with_zero] {
+        let fit = ["fit", &scene("strip-fit"), "--data", "um.csv", "--set", "accuracy.relative=1e-4"];
+        is_refused(dir.path(), &[&fit, more].concat(), &parts);
+    }
 }
 
-/// Where the displacement zero is free, a search may go there and fit nothing.
+/// Where the displacement zero is free, a search may go there and fit nothing: here displacements are a hundred times too large.
 #[test]
 fn a_fit_beside_the_measured_points_says_so() {
     let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
-    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
+    let row = |row: &str| {
+        let (displacement, force) = row.split_once(',').unwrap();
+        format!("{},{force}\n", 0.1 * displacement.parse::<f64>().unwrap())
+    };
+    let rows: String = rows.lines().map(row).collect();
+    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_nN\n{rows}")).unwrap();
     let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
     let (_, text, trouble) = fit(dir.path(), "um.csv", &["--set", both, "--out", "fit"]);
     assert!(text.contains("no measured point lies on the path of the model"), "{text}{trouble}");

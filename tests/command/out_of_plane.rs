@@ -76,7 +76,7 @@ fn the_command_follows_the_branch() {
     }
     assert!(lines[1].contains("to larger u, stable under displacement control"), "{}", lines[1]);
     assert!(lines[4].contains("back-in-plane: the strip has come back into its plane"), "{}", lines[4]);
-    let folder = dir.path().join("out/strip-100nm-branch-strip.width=40nm");
+    let folder = dir.path().join("out/strip-100nm-branch-strip.width-40nm");
     let read = |file: &str| std::fs::read_to_string(folder.join(file)).unwrap();
     let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
     let branch = &summary["out_of_plane"]["branch"];
@@ -123,6 +123,6 @@ fn a_branch_that_is_not_computed_is_refused() {
     let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "strip.width=0.15 nm"]);
     assert_eq!(status, Some(3));
     assert!(peel::plain(&trouble).contains("unstable out of the plane from its beginning on"), "{trouble}");
-    assert!(dir.path().join("out/strip-100nm-branch-strip.width=0.15nm/summary.json").exists());
-    assert!(!dir.path().join("out/strip-100nm-branch-strip.width=0.15nm/branch.csv").exists());
+    assert!(dir.path().join("out/strip-100nm-branch-strip.width-0.15nm/summary.json").exists());
+    assert!(!dir.path().join("out/strip-100nm-branch-strip.width-0.15nm/branch.csv").exists());
 }

@@ -62,7 +62,7 @@ pub use records::path::{
     GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points, write_stations,
 };
 pub use records::peel::{PeelFound, PeelSummary, left_out};
-pub use records::summary::{Found, SCHEMA, Summary, VERSION, write_parameters};
+pub use records::summary::{Found, SCHEMA, Summary, VERSION, command_of_results, write_parameters};
 pub use records::sweep::{Sweep, SweepLine, SweepSummary, work_to, write_followed, write_sweep};
 pub use records::tip::{TipFound, TipSummary, write_tip_law};
 pub use records::uncertainty::{UncertainPeel, UncertaintySummary, write_samples, write_uncertainty};

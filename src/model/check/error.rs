@@ -222,7 +222,7 @@ impl ModelErrorKind {
             }
             Self::FrictionOffFlatGround { .. } => "Remove the table [substrate] or the table [friction].",
             Self::FrictionBesideLaw { .. } => {
-                "Use `law = \"body-force\"` or \"surface-traction\" under [adhesion], or remove the table [friction]."
+                "Where the adhesive holds a strip along the substrate give `shear_strength = \"1 MPa\"` under [adhesion] and remove the table [friction]; for dry friction use `law = \"body-force\"` or \"surface-traction\"."
             }
             Self::PretensionUnderFriction { .. } => "Remove `pretension` or the table [friction].",
             Self::NoPotentialOnGround { .. } => "Use another line_load or law, or remove the table [substrate].",

@@ -59,7 +59,7 @@ pub struct FitProblem<'m> {
 /// Of which parameters the profile likelihood is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ProfileChoice {
-    /// Of those that are poorly determined
+    /// Of those that are poorly determined, where no parameter has ended at a bound of the search
     #[default]
     Poor,
     /// Of all

@@ -4,7 +4,7 @@ use super::coordinate::Coordinate;
 use super::measured_curve::MeasuredCurve;
 use super::problem::{FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
 use super::residuals::{Derivatives, Evaluator, Trial, Weights};
-use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, Scale};
+use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PointPlace, Scale};
 use super::search::{Found, search};
 use super::statistics::{Covariance, Least, half_interval, is_estimated, scale};
 use super::warnings::{POOR, combinations, pairs};
@@ -59,6 +59,9 @@ pub fn fit(
         return Err(NoFit::TooFewData { data, parameters: count });
     }
     let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
+    if let Some(why) = hopeless(measured, &start) {
+        return Err(why);
+    }
     has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
     let reached = weighted_search(&evaluator, &start, count);
     let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
@@ -171,6 +174,8 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     };
     let mut parameters: Vec<FittedParameter> = (0..count).map(parameter).collect();
     let poor: Vec<bool> = parameters.iter().map(|parameter| parameter.poorly_determined).collect();
+    // at a bound the sum of squares has no minimum: intervals of the others would be those beside a value that is most likely wrong
+    let is_minimum = parameters.iter().all(|parameter| parameter.at_bound.is_none());
     if end == FitEnd::Converged {
         let least = Least {
             evaluator,
@@ -182,7 +187,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         };
         let wanted = |k: &usize| match options.profile {
             ProfileChoice::All => true,
-            ProfileChoice::Poor => poor[*k],
+            ProfileChoice::Poor => is_minimum && poor[*k],
             ProfileChoice::None => false,
         };
         let asked: Vec<(usize, f64)> =
@@ -242,6 +247,15 @@ fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
     let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
     let is_other = forces.thousands() != 0 || displacements.thousands() != 0;
     is_other.then_some(NoFit::OtherScale { forces, displacements })
+}
+
+/// The same of a curve of which both columns are so and no point lies on the path at which the search begins: no search comes from there to it.
+fn hopeless(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
+    let why = other_scale(measured, start)?;
+    let NoFit::OtherScale { forces, displacements } = &why else { return None };
+    let both = forces.thousands() != 0 && displacements.thousands() != 0;
+    let none = start.modelled.iter().all(|at| at.place != PointPlace::OnBranch);
+    (both && none).then_some(why)
 }
 
 /// d of a trial, nm.
