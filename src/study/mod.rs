@@ -47,7 +47,8 @@ pub use out_of_plane::result::{NotOutOfPlane, OutOfPlane, OutOfPlaneError, OutOf
 pub use out_of_plane::width_range::{WidthLimit, WidthRange};
 pub use parameters::fit::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
 pub use parameters::fit::problem::{
-    CurveBy, CurveOf, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf, ProfileChoice,
+    CurveBy, CurveOf, DisplacementError, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
+    ProfileChoice,
 };
 pub use parameters::fit::pulled_curve::PulledCurve;
 pub use parameters::fit::result::{
