@@ -9,6 +9,7 @@ mod out_of_plane;
 mod parameters;
 mod peel;
 mod seta;
+mod solid_peel;
 mod states;
 mod terms;
 pub use crate::solve::LimitPointKind;
@@ -79,6 +80,10 @@ pub use seta::result::{
 pub use seta::run::{SetaProgress, pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
 pub use seta::standing::SetaBranch;
+pub use solid_peel::{
+    SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
+    peel_solid,
+};
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::beam_state::{BeamState, StateSections};
 pub use states::station::{MissedStation, Station, StationAt, StationErrors, StationQuantity, Stations};

@@ -29,6 +29,7 @@ pub use peelkit::model::Range;
 pub use scene::bounds::BoundsTable;
 pub use scene::rate::{Flow, TimeTable};
 pub use scene::seta::{SetaTable, SetaTipLaw};
+pub use scene::solid::SolidTable;
 pub use scene::studies::{
     CorrelatedKeys, FitColumns, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey,
     UncertaintyTable, VolumeRule,
