@@ -27,6 +27,7 @@ mod seta_pressed;
 #[cfg(unix)]
 mod seta_table;
 mod space;
+mod solid;
 mod stations;
 mod statuses;
 mod steps;

@@ -286,6 +286,8 @@ impl Range {
     pub const ROUNDING_LENGTH: Self = Self::From(0.0, 1e9);
     /// Of where a crest of the substrate is, nm.
     pub const OFFSET: Self = Self::From(-1e9, 1e9);
+    /// Of what a load cell shows where nothing pulls, nN.
+    pub const FORCE_ZERO: Self = Self::From(-1e12, 1e12);
     /// Of Coulomb's coefficient of friction.
     pub const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
     /// Of the angle of the pull, rad.

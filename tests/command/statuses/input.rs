@@ -100,6 +100,7 @@ fn is_answered_or_refused(key: &Key) {
         "spatula" => ("run", "spatula"),
         "profile" => ("run", "profile"),
         "seta" => ("run", "seta"),
+        "solid" => ("run", "solid-strip"),
         "time" => ("run", "strip-at-a-rate"),
         "friction" => ("run", "strip-friction"),
         "substrate" => ("run", "strip-rough"),

@@ -7,7 +7,7 @@ use peelkit::adhesion::{CohesiveShape, LineLoad};
 use peelkit::analytic::kendall_force;
 use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Attraction, Body, Grip, PeelModel, Strip, StripModel};
-use peelkit::study::{Accuracy, FollowedUntil, Peel, StopCriteria, peel};
+use peelkit::study::{Accuracy, FollowedUntil, Peel, StationAt, StationQuantity, StopCriteria, peel};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
@@ -74,9 +74,10 @@ fn steady(shape: CohesiveShape) -> Check {
     )
 }
 
-// -- Double cantilever beams with an initial crack, against a boundary value problem and fracture mechanics --
+// -- Double cantilever beams and a T-peel with an initial crack, against a boundary value problem --
 
 const CRACKS: &str = include_str!("../../../verification/double_cantilever.csv");
+const FILMS: &str = include_str!("../../../verification/t_peel.csv");
 const OF_CRACKS: &str = "verification/double_cantilever.py: boundary value problem";
 /// The table is good to this.
 const GOOD: f64 = 1e-7;
@@ -90,13 +91,33 @@ const ARM: Strip = Strip {
     crack: None,
 };
 const HALF_OF_THE_WORK: f64 = 140.0;
+/// One arm of scenes/t-peel.toml, its work and its strength.
+const FILM: Strip =
+    Strip { length: 1.5e7, height: 7.5e4, width: 2.5e7, material: Material::of(3.5, 0.35), crack: Some(5e6) };
+const FILM_WORK: f64 = 100.0;
+const FILM_STRENGTH: f64 = 0.5;
 const NM_PER_MM: f64 = 1e6;
 const GPA_PER_MPA: f64 = 1e-3;
 const NN_PER_N: f64 = 1e9;
 
-/// The largest forces of the table; under ever stronger interfaces that of fracture mechanics.
+/// The largest forces of double cantilever beams, and the forces of a T-peel.
 fn of_cracks() -> Vec<Check> {
-    read(CRACKS).par_iter().filter_map(peak_of_crack).collect()
+    let mut checks: Vec<Check> = read(CRACKS).par_iter().filter_map(peak_of_crack).collect();
+    checks.extend(of_films());
+    checks
+}
+
+/// Forces of a T-peel at the openings of the table.
+fn of_films() -> Vec<Check> {
+    let found = peeled(FILM, FILM_WORK, FILM_STRENGTH, FollowedUntil::End);
+    let one = |row: &Row| {
+        let (opening, expected) = (row.number("opening_mm")?, row.number("force_N")?);
+        let at = StationAt { quantity: StationQuantity::Displacement, value: NM_PER_MM * opening };
+        let force = found.stations(at).found.first().map(|at| at.force / NN_PER_N).ok_or_else(|| missing(&found.end));
+        let name = format!("force of a T-peel at the opening of {opening} mm (N)");
+        Some(Check::new(name, OF_CRACKS, force, expected, Measure::Relative, GOOD))
+    };
+    read(FILMS).iter().filter_map(one).collect()
 }
 
 fn peak_of_crack(row: &Row) -> Option<Check> {
@@ -107,18 +128,22 @@ fn peak_of_crack(row: &Row) -> Option<Check> {
     Some(Check::new(name, OF_CRACKS, force, expected, Measure::Relative, GOOD))
 }
 
-/// The path of an arm up to its first jump.
+/// The path of a cantilever up to its first jump.
 fn of_arm(strength: f64, crack: f64) -> Peel {
+    peeled(Strip { crack: Some(NM_PER_MM * crack), ..ARM }, HALF_OF_THE_WORK, strength, FollowedUntil::FirstJump)
+}
+
+/// The path of an arm under the exponential law.
+fn peeled(arm: Strip, work: f64, strength: f64, until: FollowedUntil) -> Peel {
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         line_load: LineLoad::AxisGap,
-        work: Some(HALF_OF_THE_WORK),
+        work: Some(work),
         strength: Some(GPA_PER_MPA * strength),
         ..Adhesion::default()
     };
     let equilibrium_distance = law.distance_of_work_and_strength().unwrap_or(law.equilibrium_distance);
-    let arm = Strip { crack: Some(NM_PER_MM * crack), ..ARM };
     let model = PeelModel::of(Body::Strip(arm), Adhesion { equilibrium_distance, ..law }, Grip::FREE);
-    let stop = StopCriteria { until: FollowedUntil::FirstJump, ..StopCriteria::default() };
+    let stop = StopCriteria { until, ..StopCriteria::default() };
     peel(&model, &Accuracy::to(GOOD), &stop)
 }
