@@ -163,7 +163,7 @@ fn a_fit_beside_the_measured_points_says_so() {
 fn the_record_of_a_machine_is_read_and_fitted_as_it_is() {
     let dir = tempfile::tempdir().unwrap();
     let (scene, record) = (format!("{SCENES}/tape-record.toml"), format!("{SCENES}/tape-record.csv"));
-    let (status, text, trouble) = peel(dir.path(), &["fit", &scene, "--data", &record, "--json"]);
+    let (status, text, trouble) = run(dir.path(), &["fit", &scene, "--data", &record, "--json"]);
     assert_eq!(status, Some(0), "{trouble}");
     let summary: Value = serde_json::from_str(&text).unwrap();
     let number = |value: &Value| value.as_f64().unwrap();
@@ -194,7 +194,7 @@ fn steady_forces_against_an_angle_are_fitted() {
     let set = ["path.until=end", "fit.parameters=[\"adhesion.work\"]", "adhesion.work=130 J/m2", "strip.length=10 mm"];
     let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
     let data = ["fit", &scene, "--data", "steady.csv", "--out", "fit", "--set", "bounds.displacement=9 mm"];
-    let (status, text, trouble) = peel(dir.path(), &[&data[..], &set].concat());
+    let (status, text, trouble) = run(dir.path(), &[&data[..], &set].concat());
     assert_eq!(status, Some(0), "{trouble}");
     assert!(text.contains("4 steady forces against drive.angle of steady.csv"), "{text}");
     let summary: Value = serde_json::from_slice(&std::fs::read(dir.path().join("fit/summary.json")).unwrap()).unwrap();
