@@ -160,8 +160,8 @@ impl Places {
     }
 
     fn take(&mut self, tries: Vec<(Frame, f64)>) -> Frame {
-        let dear = |&(frame, toll): &(Frame, f64)| toll + self.cost(&frame);
-        let best = tries.iter().min_by(|a, b| dear(a).total_cmp(&dear(b))).map_or(self.room, |&(frame, _)| frame);
+        let priced = tries.into_iter().map(|(frame, toll)| (frame, toll + self.cost(&frame)));
+        let best = priced.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(self.room, |(frame, _)| frame);
         self.taken.push(best);
         best
     }
