@@ -27,6 +27,7 @@ pub mod adhesion;
 pub mod analytic;
 pub mod beam;
 pub mod model;
+pub mod solid;
 pub mod solve;
 pub mod study;
 pub mod units;

@@ -10,6 +10,7 @@ mod common;
 mod effort;
 mod model;
 mod seta;
+mod solid;
 mod solve;
 mod study;
 mod time;

@@ -1,0 +1,3 @@
+//! Solids that adhere.
+
+mod spatula;
