@@ -21,6 +21,9 @@ pub struct SectionGeometry {
     pub underside: [f64; 2],
 }
 
+/// Step of a difference over the length of a beam.
+const DIFFERENCE: f64 = 1e-6;
+
 /// The outline of a beam from S = 0 to its length.
 pub trait BeamGeometry: Send + Sync + Debug {
     /// L, nm
@@ -34,6 +37,13 @@ pub trait BeamGeometry: Send + Sync + Debug {
     }
     /// The outline at a place, nm.
     fn at(&self, place: f64) -> SectionGeometry;
+    /// b' and q' at a place that is no break, 1 and 1/nm: what a solid of this outline needs beside [`BeamGeometry::at`]. By central differences
+    /// where a body has no formula.
+    fn slopes(&self, place: f64) -> [f64; 2] {
+        let step = DIFFERENCE * self.length();
+        let [before, after] = [place - step, place + step].map(|place| self.at(place));
+        [after.width - before.width, after.roundness - before.roundness].map(|change| change / (2.0 * step))
+    }
     /// How much of this width adheres at a place, nm.
     fn adhering(&self, place: f64, width: f64) -> f64 {
         if place <= self.adhering_length() { width } else { 0.0 }

@@ -8,6 +8,7 @@ pub(crate) mod peel;
 pub(crate) mod problem;
 pub(crate) mod seta;
 pub(crate) mod solid;
+pub(crate) mod solid_spatula;
 pub(crate) mod step;
 pub use crate::adhesion::Attraction;
 pub use body::Body;
@@ -33,4 +34,5 @@ pub use seta::normal_pull::{CurvePoint, NormalPull, PullCurve, PullCurveError, S
 pub use seta::parameters::{Seta, SetaMesh, SetaModel};
 pub use seta::tip_law::{AdheringTip, TipBranch, TipLaw};
 pub use solid::{LongElements, SolidError, SolidSettings};
+pub use solid_spatula::{FineZone, SolidSpatulaError, SolidSpatulaSettings};
 pub use step::{Moved, Step, StepError, angle_text};

@@ -22,6 +22,7 @@ pub use displacement_controlled_test::observed::{NoTest, no_test, observed, obse
 pub use displacement_controlled_test::result::{
     Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, UnknownJumpError,
 };
+pub use displacement_controlled_test::solid_pull::{SolidPull, SolidPullError, SolidPullPoint};
 pub use displacement_controlled_test::stable_branch::{
     Balance, BranchError, LeftModel, LoadingDirection, ModelLimit, TestError, TestFailure,
 };

@@ -61,6 +61,10 @@ impl<'s> Fitting<'s> {
             None => MeasuredCurve::new(points, table.jump, zero).map_err(wrong)?,
             Some(key) => {
                 no_steady_force(scene, key, &parameters)?;
+                if points.len() < FEWEST_FORCES {
+                    let (points, least) = (points.len(), FEWEST_FORCES);
+                    return Err(wrong(FitDataError::TooFew { points, least, before_jump: None }));
+                }
                 table.options.displacement_error = DisplacementError::None;
                 table.options.displacement_zero = 0.0;
                 steady(points)
@@ -69,6 +73,9 @@ impl<'s> Fitting<'s> {
         Ok(Self { scene, table, parameters, file, measured, against })
     }
 }
+
+/// Fewest steady forces.
+const FEWEST_FORCES: usize = 2;
 
 /// Steady forces in the order of the values at which they were measured.
 fn steady(mut points: Vec<MeasuredPoint>) -> MeasuredCurve {

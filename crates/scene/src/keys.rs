@@ -246,7 +246,7 @@ pub static KEYS: &[Key] = &[
     key(&FIT, "displacement_error", Optional, Kind::Setting(&fit::DISPLACEMENT_ERROR), "standard error of measured displacements"),
     key(&FIT, "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut s.fit_table().options.displacement_zero), "measured displacement at which the model's is zero").titled("zero of the measured displacement", "d"),
     key(&FIT, "force_zero", Optional, Kind::Measure(Force, Range::FORCE_ZERO, |s| &mut s.fit_table().options.force_zero), "measured force at which the model's is zero").titled("zero of the measured force", "f"),
-    key(&FIT, "columns", Optional, Kind::Setting(&fit::COLUMNS), "which columns of the data are fitted; none: those of a length and a force"),
+    key(&FIT, "columns", Optional, Kind::Setting(&fit::COLUMNS), "which columns of the data are fitted; none: by their units"),
     key(&FIT, "jump", Optional, Kind::Bound(Length, |s| &mut s.fit_table().jump), "measured displacement of the first jump; none: looked for").titled("measured displacement of the jump", ""),
     key(&FIT, "use_jump", Optional, Kind::Flag(|s| &mut s.fit_table().options.use_jump), "whether the displacement of the jump is a datum"),
     key(&FIT, "loss", Optional, Kind::Setting(&fit::LOSS), "how much points far from the curve count"),

@@ -69,13 +69,26 @@ impl Spatula {
         LEAST_SHARE * self.length()
     }
 
-    /// Width of the rounded tip over that of a blunt one.
-    fn rounding(&self, place: f64) -> f64 {
+    /// Width of the rounded tip over that of a blunt one, and its derivative by S.
+    fn rounding(&self, place: f64) -> [f64; 2] {
         if place >= self.tip_rounding_length || self.tip_rounding_length < self.least_length() {
-            return 1.0;
+            return [1.0, 0.0];
         }
         let least = self.tip_rounding_width / self.tip_width;
-        least + (1.0 - least) * (1.0 - (1.0 - place / self.tip_rounding_length).powi(4))
+        let left = 1.0 - place / self.tip_rounding_length;
+        [least + (1.0 - least) * (1.0 - left.powi(4)), 4.0 * (1.0 - least) * left.powi(3) / self.tip_rounding_length]
+    }
+
+    /// Width of a spatula with a blunt tip, nm, and its derivative by S.
+    fn blunt_width(&self, place: f64) -> [f64; 2] {
+        let beyond = place - self.pad_length;
+        if beyond < 0.0 {
+            let change = self.neck_width - self.tip_width;
+            return [self.tip_width + change * place / self.pad_length, change / self.pad_length];
+        }
+        let [q, q1, _] = Transition::Smooth.at(beyond / self.neck_length);
+        let wider = self.shaft_diameter - self.neck_width;
+        [self.neck_width + wider * q, wider * q1 / self.neck_length]
     }
 }
 
@@ -103,14 +116,9 @@ impl BeamGeometry for Spatula {
         let beyond = place - self.pad_length;
         let [q, q1, q2] = Transition::Smooth.at(beyond / self.neck_length);
         let thicker = self.shaft_diameter - self.pad_thickness;
-        let width = if beyond < 0.0 {
-            self.tip_width + (self.neck_width - self.tip_width) * place / self.pad_length
-        } else {
-            self.neck_width + (self.shaft_diameter - self.neck_width) * q
-        };
         let [turned, turning, _] = Transition::Smooth.at(beyond / self.bend_length);
         SectionGeometry {
-            width: width * self.rounding(place),
+            width: self.blunt_width(place)[0] * self.rounding(place)[0],
             height: [
                 self.pad_thickness + thicker * q,
                 thicker * q1 / self.neck_length,
@@ -119,6 +127,12 @@ impl BeamGeometry for Spatula {
             roundness: q,
             underside: [self.shaft_angle * turned, self.shaft_angle * turning / self.bend_length],
         }
+    }
+
+    fn slopes(&self, place: f64) -> [f64; 2] {
+        let ([width, slope], [share, growth]) = (self.blunt_width(place), self.rounding(place));
+        let [_, rounding, _] = Transition::Smooth.at((place - self.pad_length) / self.neck_length);
+        [slope * share + width * growth, rounding / self.neck_length]
     }
 }
 
@@ -153,6 +167,9 @@ mod tests {
             assert_abs_diff_eq!(here.height[1], slope(|o| o.height[0]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.height[2], slope(|o| o.height[1]), epsilon = 1e-9);
             assert_abs_diff_eq!(here.underside[1], slope(|o| o.underside[0]), epsilon = 1e-9);
+            let [width, roundness] = spatula.slopes(place);
+            assert_abs_diff_eq!(width, slope(|o| o.width), epsilon = 1e-7);
+            assert_abs_diff_eq!(roundness, slope(|o| o.roundness), epsilon = 1e-9);
         }
         assert_eq!(spatula.at(0.0).width, 100.0);
         assert_eq!(spatula.breaks(), [60.0, 240.0, 290.0, 390.0]);

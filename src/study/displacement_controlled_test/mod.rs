@@ -3,4 +3,5 @@ mod jump;
 pub(super) mod observed;
 pub(super) mod result;
 mod run;
+pub(super) mod solid_pull;
 pub(super) mod stable_branch;

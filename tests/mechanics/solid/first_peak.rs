@@ -40,7 +40,7 @@ struct Graded {
     ratio: f64,
 }
 
-/// Looks at a first peak on a mesh; `tolerance` of the force, and 3e-4 of its displacement, where the force is level.
+/// Looks at a first peak on a mesh: `tolerance` is that of the force, 1e-5 for five digits; the displacement, where the force is level, has 3e-4 nm.
 fn holds(graded: &Graded, settings: SolidSettings, length: f64, expected: (f64, f64), tolerance: f64) {
     let Graded { along, through, levels, ratio, .. } = *graded;
     let settings = SolidSettings {
@@ -86,7 +86,7 @@ fn parabolic_traction_and_traction_of_the_ground() {
     ] {
         let of = |contact| settings(SolidGrip::Parabolic, plane, contact);
         holds(&FACE, of(SolidContact::ReferenceTraction), 40.0, reference, 5e-6);
-        holds(&FACE, of(SolidContact::CurrentTraction), 40.0, current, 5e-6);
+        holds(&FACE, of(SolidContact::CurrentTraction), 40.0, current, 1e-5);
     }
 }
 
@@ -97,12 +97,12 @@ fn parabolic_traction_and_body_force() {
     }
 }
 
-/// A second family of meshes: other elements, and columns and rows elsewhere.
+/// A second family of meshes: another order, and columns and rows elsewhere.
 #[test]
 fn another_family_of_meshes_agrees() {
     let of = |grip| settings(grip, Plane::Stress, SolidContact::ReferenceTraction);
     let other = Graded { element: "Q(4,4)", along: 2.0, through: 3, levels: 3, ratio: 0.35 };
     holds(&other, of(SolidGrip::Parabolic), 40.0, (0.3996794, 0.355789), 1e-5);
-    let cubic = Graded { element: "H1(4)", along: 1.0, through: 3, levels: 3, ratio: 0.35 };
-    holds(&cubic, of(SolidGrip::Rigid), 40.0, (0.325137, 0.36457), 1e-5);
+    let even = Graded { element: "Q(5,5)", along: 1.67, through: 6, levels: 2, ratio: 0.25 };
+    holds(&even, of(SolidGrip::Rigid), 40.0, (0.325137, 0.36457), 5e-6);
 }

@@ -1,7 +1,8 @@
-//! Strips as plane solids.
+//! Solids that adhere: strips as plane solids, and a spatula in space.
 
 mod elements;
 mod first_peak;
+mod spatula;
 mod whole_path;
 
 use peelkit::model::{PeelModel, SolidSettings, Strip, StripModel};

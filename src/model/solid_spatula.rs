@@ -1,0 +1,209 @@
+//! A spatula as a solid in space: how it is cut into elements, and what of a model of beams such a solid does not have.
+
+use super::body::Body;
+use super::body::spatula::Spatula;
+use super::check::error::ModelError;
+use super::peel::{Hold, PeelModel, Pull};
+use crate::adhesion::section::law::Attraction;
+use crate::beam::varying::BeamGeometry;
+use crate::solid::spatula::solid_spatula::{SolidSpatula, SpatulaMesh};
+use std::sync::Arc;
+
+/// A part of the pad with stations of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FineZone {
+    /// S where it begins, nm
+    pub from: f64,
+    /// S where it ends, nm
+    pub to: f64,
+    /// Distance of its stations, nm
+    pub along: f64,
+}
+
+/// How a spatula is cut into elements. Distances of stations along S in nm: at most these.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolidSpatulaSettings {
+    /// On the pad
+    pub pad: f64,
+    /// Where the axis bends, behind the pad; behind the bend twice that
+    pub neck: f64,
+    /// On the shaft
+    pub shaft: f64,
+    /// Where the stations of the pad are closer
+    pub fine: Option<FineZone>,
+    /// Elements across the half width
+    pub across: usize,
+}
+
+impl Default for SolidSpatulaSettings {
+    /// Stations of 4, 6 and 150 nm, and two elements across the half width.
+    fn default() -> Self {
+        Self { pad: 4.0, neck: 6.0, shaft: 150.0, fine: None, across: 2 }
+    }
+}
+
+/// Why a spatula cannot be computed as a solid. Lengths in nm.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the message of each names its numbers
+pub enum SolidSpatulaError {
+    /// What is wrong with the model as one of a beam.
+    #[error("{0}")]
+    Model(#[from] ModelError),
+    /// A distance that is none.
+    #[error("`solid.{key}` is {found} nm, which is not above zero")]
+    NoDistance { key: &'static str, found: f64 },
+    /// Elements across that are too few or too many.
+    #[error("`solid.across` is {found}: from 1 to {MOST_ACROSS} elements are offered across the half width")]
+    Across { found: usize },
+    /// A zone that is none.
+    #[error("`solid.fine` reaches from {from} to {to} nm, which is no part of a pad of {pad} nm")]
+    Zone { from: f64, to: f64, pad: f64 },
+    /// More stations than a computer holds.
+    #[error("the stations are {stations:.1e} in number; at most {MOST_STATIONS} are computed")]
+    TooMany { stations: f64 },
+    /// Something of a model that a solid spatula does not have.
+    #[error("`{key}` is given, and a spatula computed as a solid {why}")]
+    NotOfSolid { key: &'static str, why: &'static str },
+}
+
+/// Most elements across the half width, and most stations.
+const MOST_ACROSS: usize = 16;
+const MOST_STATIONS: usize = 20_000;
+/// Distances of stations behind the bend over those in it.
+const BEHIND_BEND: f64 = 2.0;
+/// Lines across lie at 1 - (1 - k/n)^p, closer at the free edge.
+const GRADING: f64 = 1.5;
+
+impl SolidSpatulaError {
+    /// The key of a scene that gives the value.
+    pub fn key(&self) -> String {
+        match self {
+            Self::Model(error) => error.key().into(),
+            Self::NoDistance { key, .. } => format!("solid.{key}"),
+            Self::Across { .. } => "solid.across".into(),
+            Self::Zone { .. } => "solid.fine".into(),
+            Self::TooMany { .. } => "solid.pad".into(),
+            Self::NotOfSolid { key, .. } => (*key).into(),
+        }
+    }
+
+    /// What would be right: a sentence of its own.
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::Model(error) => error.remedy(),
+            Self::NoDistance { .. } => "Give a number above zero, in nm.".into(),
+            Self::Across { .. } => "Give 2, or 4 for a second opinion.".into(),
+            Self::Zone { pad, .. } => format!("Give two places in ascending order between 0 and {pad} nm."),
+            Self::TooMany { .. } => "Give stations that are farther apart.".into(),
+            Self::NotOfSolid { .. } => "Remove it, or compute the spatula as a beam.".into(),
+        }
+    }
+}
+
+impl SolidSpatulaSettings {
+    /// The spatula of a model on these settings.
+    ///
+    /// # Errors
+    /// What is wrong first: with the model, with the settings, or what of the model a solid spatula does not have.
+    ///
+    /// ```
+    /// use peelkit::model::{Hold, SolidSpatulaSettings, Spatula};
+    ///
+    /// let mut model = Spatula::default().model();
+    /// model.grip.rotation = Hold::Fixed;
+    /// model.adhesion.far_face = false;
+    /// let spatula = SolidSpatulaSettings::default().spatula(&model)?;
+    /// assert_eq!((spatula.elements(), spatula.unknowns()), (164, 6931));
+    /// let error = SolidSpatulaSettings { across: 0, ..Default::default() }.spatula(&model).unwrap_err();
+    /// assert_eq!(error.key(), "solid.across");
+    /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
+    /// ```
+    pub fn spatula(&self, model: &PeelModel) -> Result<SolidSpatula, SolidSpatulaError> {
+        model.check()?;
+        what_it_has(model)?;
+        let Body::Spatula(body) = &model.body else { return Err(not_of_solid("body", "is a spatula")) };
+        self.check(body.pad_length)?;
+        let adhering = body.pad_length + body.neck_length;
+        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering };
+        let material = (body.material.youngs_modulus, body.material.poissons_ratio);
+        Ok(SolidSpatula::new(Arc::new(body.clone()), material, model.adhesion.half_space(), mesh))
+    }
+
+    fn check(&self, pad: f64) -> Result<(), SolidSpatulaError> {
+        let zone = self.fine.map_or(self.pad, |zone| zone.along);
+        let distances = [("pad", self.pad), ("neck", self.neck), ("shaft", self.shaft), ("fine", zone)];
+        if let Some((key, found)) = distances.into_iter().find(|(_, found)| !(found.is_finite() && *found > 0.0)) {
+            return Err(SolidSpatulaError::NoDistance { key, found });
+        }
+        if !(1..=MOST_ACROSS).contains(&self.across) {
+            return Err(SolidSpatulaError::Across { found: self.across });
+        }
+        match self.fine {
+            Some(FineZone { from, to, .. }) if !(0.0 <= from && from < to && to <= pad) => {
+                Err(SolidSpatulaError::Zone { from, to, pad })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// S of the stations: every break is one.
+    fn stations(&self, body: &Spatula, adhering: f64) -> Result<Vec<f64>, SolidSpatulaError> {
+        let pad = body.pad_length;
+        let mut ends = vec![0.0, body.length()];
+        ends.extend(body.breaks());
+        ends.extend(self.fine.into_iter().flat_map(|zone| [zone.from, zone.to]));
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let distance = |middle: f64| match self.fine {
+            Some(zone) if zone.from < middle && middle < zone.to => zone.along,
+            _ if middle < pad => self.pad,
+            _ if middle < pad + body.bend_length => self.neck,
+            _ if middle < adhering => BEHIND_BEND * self.neck,
+            _ => self.shaft,
+        };
+        let parts = |pair: &[f64]| ((pair[1] - pair[0]) / distance(0.5 * (pair[0] + pair[1]))).ceil().max(1.0);
+        let stations: f64 = ends.windows(2).map(parts).sum();
+        if stations > MOST_STATIONS as f64 {
+            return Err(SolidSpatulaError::TooMany { stations });
+        }
+        let mut found = vec![0.0];
+        for pair in ends.windows(2) {
+            let parts = parts(pair) as usize;
+            let cut =
+                |k: usize| if k == parts { pair[1] } else { pair[0] + (pair[1] - pair[0]) * k as f64 / parts as f64 };
+            found.extend((1..=parts).map(cut));
+        }
+        Ok(found)
+    }
+
+    fn sides(&self) -> Vec<f64> {
+        (0..=self.across).map(|k| 1.0 - (1.0 - k as f64 / self.across as f64).powf(GRADING)).collect()
+    }
+}
+
+fn not_of_solid(key: &'static str, why: &'static str) -> SolidSpatulaError {
+    SolidSpatulaError::NotOfSolid { key, why }
+}
+
+/// That a model has nothing that a solid spatula does not have.
+fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
+    let of_half_space = matches!(model.adhesion.attraction, Attraction::BodyForce | Attraction::SurfaceTraction);
+    let refused = [
+        (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
+        (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
+        (!model.ground.substrate.is_flat(), "substrate.shape", "lies on flat ground"),
+        (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
+        (model.grip.rotation == Hold::Free, "grip.rotation", "has an end face that does not turn"),
+        (
+            model.grip.horizontal == Hold::Fixed,
+            "grip.horizontal",
+            "has an end face that moves freely along the substrate",
+        ),
+        (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
+        (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
+        (model.pull != Pull::UP, "drive.angle", "is pulled straight up"),
+        (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
+        (model.space.is_some(), "space", "is in space already"),
+    ];
+    refused.into_iter().find(|refused| refused.0).map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
+}

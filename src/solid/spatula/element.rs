@@ -1,0 +1,480 @@
+//! The element: cubic along S, quadratic through the thickness and across.
+//!
+//! x and y of the body are interpolated as displacements are, so that a rotation about z is one of them and costs no energy; z is exact at the
+//! Gauss points. With gradients G_i of the functions by the reference, g_i = F⁻ᵀ G_i and c = Λ ln J - μ the tangent is
+//!
+//!   K_ia,jb = ∫ δ_ab μ G_i·G_j + Λ g_ia g_jb - c g_ib g_ja dV,
+//!
+//! of which the first term never changes. The ground acts per area of the reference, projected on the substrate: T(y) on u_y.
+
+use super::geometry::{InPlane, SolidGeometry};
+use super::layout::{ACROSS, ALONG, ELEMENT, FUNCTIONS, THROUGH};
+use super::material::{NeoHookean, Vector};
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::number::gauss::gauss_legendre;
+use std::num::NonZeroUsize;
+
+/// Points of the volume along S, through the thickness and across.
+const BULK: [usize; 3] = [4, 3, 3];
+/// Points of the underside across.
+const FACE_ACROSS: usize = 4;
+/// Functions that do not vanish on the underside.
+const ON_FACE: usize = ALONG * ACROSS;
+/// Both halves of the body.
+const HALVES: f64 = 2.0;
+
+/// A point of the volume.
+#[derive(Clone, Debug)]
+struct BulkPoint {
+    /// dV, nm³, of both halves
+    volume: f64,
+    /// ∂N/∂x, ∂N/∂y, ∂N/∂z of each function
+    gradient: Box<[[f64; FUNCTIONS]; 3]>,
+}
+
+/// A point of the underside.
+#[derive(Clone, Debug)]
+pub(super) struct FacePoint {
+    /// Projected area, nm², of both halves
+    pub area: f64,
+    /// Height over the ground in the reference, nm
+    pub height: f64,
+    /// N of the functions that do not vanish there
+    pub values: [f64; ON_FACE],
+}
+
+/// What never changes of an element.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    bulk: Vec<BulkPoint>,
+    pub face: Vec<FacePoint>,
+    /// μ ∫ G_i·G_j dV
+    laplacian: Vec<f64>,
+}
+
+/// What an element adds.
+#[derive(Clone, Debug)]
+pub(super) struct ElementWork {
+    pub energy: f64,
+    pub residual: [f64; ELEMENT],
+    /// Its upper triangle, function by function
+    pub tangent: Vec<f64>,
+    blocks: [Vec<f64>; 6],
+}
+
+impl Default for ElementWork {
+    fn default() -> Self {
+        Self { energy: 0.0, residual: [0.0; ELEMENT], tangent: Vec::new(), blocks: Default::default() }
+    }
+}
+
+/// Which components a block couples.
+const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+
+/// Where an element lies.
+pub(super) struct ElementPlace<'a> {
+    /// S of its two stations, nm
+    pub stations: [f64; 2],
+    /// x and y of the axis there, nm
+    pub axis: [[f64; 2]; 2],
+    /// t of its two sides
+    pub sides: [f64; 2],
+    /// Points along S of its underside; none where nothing adheres
+    pub face_points: usize,
+    pub geometry: &'a SolidGeometry,
+    pub material: &'a NeoHookean,
+}
+
+/// Values of a function and of its derivative.
+pub(super) type Jet = [f64; 2];
+
+/// The functions along S of an element of this length at ξ in [-1, 1]; those of slopes are of slopes by S.
+fn hermite(xi: f64, length: f64) -> [Jet; ALONG] {
+    let (x2, x3, half) = (xi * xi, xi * xi * xi, 0.5 * length);
+    [
+        [0.25 * (2.0 - 3.0 * xi + x3), 0.75 * (x2 - 1.0)],
+        [0.25 * half * (1.0 - xi - x2 + x3), 0.25 * half * (3.0 * x2 - 2.0 * xi - 1.0)],
+        [0.25 * (2.0 + 3.0 * xi - x3), 0.75 * (1.0 - x2)],
+        [0.25 * half * (x3 + x2 - xi - 1.0), 0.25 * half * (3.0 * x2 + 2.0 * xi - 1.0)],
+    ]
+}
+
+/// Quadratic functions of the nodes -1, 0 and 1.
+fn quadratic(eta: f64) -> [Jet; 3] {
+    [[0.5 * eta * (eta - 1.0), eta - 0.5], [1.0 - eta * eta, -2.0 * eta], [0.5 * eta * (eta + 1.0), eta + 0.5]]
+}
+
+/// Each function of an element with its derivatives by ξ, ζ and η.
+fn functions(xi: f64, zeta: f64, eta: f64, length: f64) -> [[f64; 4]; FUNCTIONS] {
+    let (along, through, across) = (hermite(xi, length), quadratic(zeta), quadratic(eta));
+    std::array::from_fn(|k| {
+        let [a, a1] = along[k / (THROUGH * ACROSS)];
+        let [b, b1] = through[k / ACROSS % THROUGH];
+        let [c, c1] = across[k % ACROSS];
+        [a * b * c, a1 * b * c, a * b1 * c, a * b * c1]
+    })
+}
+
+fn gauss(points: usize) -> Vec<(f64, f64)> {
+    gauss_legendre(NonZeroUsize::new(points).unwrap_or(NonZeroUsize::MIN))
+}
+
+impl ElementPlace<'_> {
+    fn length(&self) -> f64 {
+        self.stations[1] - self.stations[0]
+    }
+
+    fn t(&self, eta: f64) -> f64 {
+        0.5 * (self.sides[0] * (1.0 - eta) + self.sides[1] * (1.0 + eta))
+    }
+
+    /// What x and y are interpolated by: of each function.
+    fn coefficients(&self) -> [[f64; 2]; FUNCTIONS] {
+        std::array::from_fn(|k| {
+            let (along, zeta) = (k / (THROUGH * ACROSS), (k / ACROSS % THROUGH) as f64 - 1.0);
+            let t = self.t((k % ACROSS) as f64 - 1.0);
+            let end = along / 2;
+            let InPlane { place, slope } = self.geometry.in_plane(self.stations[end], self.axis[end], zeta, t);
+            if along % 2 == 0 { place } else { slope }
+        })
+    }
+
+    /// Derivatives of x, y and z by ξ, ζ and η, row by row of these, and y.
+    fn jacobian(
+        &self,
+        coefficients: &[[f64; 2]; FUNCTIONS],
+        functions: &[[f64; 4]; FUNCTIONS],
+        [xi, zeta, eta]: Vector,
+    ) -> ([Vector; 3], f64) {
+        let mut rows = [[0.0; 3]; 3];
+        let mut height = 0.0;
+        for (own, of) in coefficients.iter().zip(functions) {
+            height += own[1] * of[0];
+            for (row, derivative) in rows.iter_mut().zip(&of[1..]) {
+                (row[0], row[1]) = (row[0] + own[0] * derivative, row[1] + own[1] * derivative);
+            }
+        }
+        let place = self.stations[0] + 0.5 * self.length() * (1.0 + xi);
+        let z = self.geometry.across(place, zeta, self.t(eta));
+        (rows[0][2], rows[1][2]) = (0.5 * self.length() * z.along, z.through);
+        rows[2][2] = 0.5 * (self.sides[1] - self.sides[0]) * z.across;
+        (rows, height)
+    }
+}
+
+fn cross(a: &Vector, b: &Vector) -> Vector {
+    std::array::from_fn(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+impl Element {
+    pub fn new(place: &ElementPlace) -> Self {
+        let coefficients = place.coefficients();
+        let length = place.length();
+        let [along, through, across] = BULK.map(gauss);
+        let mut element = Self { bulk: Vec::new(), face: Vec::new(), laplacian: vec![0.0; FUNCTIONS * FUNCTIONS] };
+        for &(xi, w) in &along {
+            for &(zeta, v) in &through {
+                for &(eta, u) in &across {
+                    let functions = functions(xi, zeta, eta, length);
+                    let (rows, _) = place.jacobian(&coefficients, &functions, [xi, zeta, eta]);
+                    let [of_xi, of_zeta, of_eta] =
+                        [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+                    let determinant = dot(&rows[0], &of_xi);
+                    let mut gradient = Box::new([[0.0; FUNCTIONS]; 3]);
+                    for (k, [_, a, b, c]) in functions.iter().enumerate() {
+                        for i in 0..3 {
+                            gradient[i][k] = (a * of_xi[i] + b * of_zeta[i] + c * of_eta[i]) / determinant;
+                        }
+                    }
+                    element.bulk.push(BulkPoint { volume: HALVES * w * v * u * determinant, gradient });
+                }
+            }
+        }
+        for point in &element.bulk {
+            let factor = place.material.shear * point.volume;
+            for i in 0..FUNCTIONS {
+                for j in 0..FUNCTIONS {
+                    let product: f64 = point.gradient.iter().map(|gradient| gradient[i] * gradient[j]).sum();
+                    element.laplacian[i * FUNCTIONS + j] += factor * product;
+                }
+            }
+        }
+        if place.face_points > 0 {
+            for (xi, w) in gauss(place.face_points) {
+                for (eta, u) in gauss(FACE_ACROSS) {
+                    let functions = functions(xi, -1.0, eta, length);
+                    let (rows, height) = place.jacobian(&coefficients, &functions, [xi, -1.0, eta]);
+                    // the normal off the body points down where the ground is seen
+                    let projected = rows[0][0] * rows[2][2] - rows[0][2] * rows[2][0];
+                    let values = std::array::from_fn(|k| functions[Self::on_face(k)][0]);
+                    element.face.push(FacePoint { area: HALVES * w * u * projected.max(0.0), height, values });
+                }
+            }
+        }
+        element
+    }
+
+    /// The function of one of the underside.
+    pub fn on_face(index: usize) -> usize {
+        index / ACROSS * THROUGH * ACROSS + index % ACROSS
+    }
+
+    /// Values of the functions along S and their derivatives by ξ, in an element of this length.
+    pub fn along(xi: f64, length: f64) -> [Jet; ALONG] {
+        hermite(xi, length)
+    }
+
+    /// Volume of both halves, nm³.
+    pub fn volume(&self) -> f64 {
+        self.bulk.iter().map(|point| point.volume).sum()
+    }
+
+    /// Of displacements, three numbers a function: energy and residual, and the tangent where it is asked for.
+    pub fn at(
+        &self,
+        moved: &[f64; ELEMENT],
+        material: &NeoHookean,
+        ground: &HalfSpace,
+        tangent: bool,
+        work: &mut ElementWork,
+    ) {
+        let own: [[f64; FUNCTIONS]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| moved[3 * k + i]));
+        let mut residual = [[0.0; FUNCTIONS]; 3];
+        work.energy = 0.0;
+        if tangent {
+            for (block, (a, b)) in work.blocks.iter_mut().zip(PAIRS) {
+                block.clear();
+                if a == b { block.extend_from_slice(&self.laplacian) } else { block.resize(FUNCTIONS * FUNCTIONS, 0.0) }
+            }
+        }
+        for point in &self.bulk {
+            let h: [Vector; 3] = std::array::from_fn(|i| std::array::from_fn(|j| dot(&own[i], &point.gradient[j])));
+            let response = material.at(&h);
+            let stress = material.stress(&h, &response);
+            work.energy += point.volume * response.energy;
+            for i in 0..3 {
+                let [x, y, z] = stress[i].map(|stress| point.volume * stress);
+                let [gx, gy, gz] = &*point.gradient;
+                for k in 0..FUNCTIONS {
+                    residual[i][k] += x * gx[k] + y * gy[k] + z * gz[k];
+                }
+            }
+            if tangent {
+                add_geometric(
+                    &point.gradient,
+                    &response.inverse,
+                    point.volume,
+                    material.first,
+                    response.pressure,
+                    &mut work.blocks,
+                );
+            }
+        }
+        for point in &self.face {
+            let moved: f64 = (0..ON_FACE).map(|k| own[1][Self::on_face(k)] * point.values[k]).sum();
+            let [potential, traction, slope] = ground.levels(point.height + moved);
+            work.energy += point.area * potential;
+            for i in 0..ON_FACE {
+                let value = point.area * point.values[i];
+                residual[1][Self::on_face(i)] -= traction * value;
+                if tangent {
+                    let row = &mut work.blocks[3][Self::on_face(i) * FUNCTIONS..][..FUNCTIONS];
+                    (0..ON_FACE).for_each(|j| row[Self::on_face(j)] += slope * value * point.values[j]);
+                }
+            }
+        }
+        for k in 0..FUNCTIONS {
+            for i in 0..3 {
+                work.residual[3 * k + i] = residual[i][k];
+            }
+        }
+        if tangent {
+            work.gather();
+        }
+    }
+
+    /// Gap at a point of the underside at these displacements.
+    pub fn gap(point: &FacePoint, moved: &[f64; ELEMENT]) -> f64 {
+        point.height + (0..ON_FACE).map(|k| moved[3 * Self::on_face(k) + 1] * point.values[k]).sum::<f64>()
+    }
+}
+
+/// Adds w (Λ g_ia g_jb - c g_ib g_ja) to the blocks.
+fn add_geometric(
+    gradient: &[[f64; FUNCTIONS]; 3],
+    inverse: &[Vector; 3],
+    weight: f64,
+    first: f64,
+    pressure: f64,
+    blocks: &mut [Vec<f64>; 6],
+) {
+    let spatial: [[f64; FUNCTIONS]; 3] = std::array::from_fn(|a| {
+        let [x, y, z] = inverse[a];
+        std::array::from_fn(|k| x * gradient[0][k] + y * gradient[1][k] + z * gradient[2][k])
+    });
+    let (first, pressure) = (weight * first, weight * pressure);
+    for (block, (a, b)) in blocks.iter_mut().zip(PAIRS) {
+        let (ga, gb) = (&spatial[a], &spatial[b]);
+        for (i, row) in block.as_chunks_mut::<FUNCTIONS>().0.iter_mut().enumerate() {
+            if a == b {
+                let own = (first - pressure) * ga[i];
+                (i..FUNCTIONS).for_each(|j| row[j] += own * ga[j]);
+            } else {
+                let (one, other) = (first * ga[i], -pressure * gb[i]);
+                (0..FUNCTIONS).for_each(|j| row[j] += one * gb[j] + other * ga[j]);
+            }
+        }
+    }
+}
+
+impl ElementWork {
+    /// The upper triangle of the tangent, from its blocks.
+    fn gather(&mut self) {
+        self.tangent.resize(ELEMENT * ELEMENT, 0.0);
+        for (block, (a, b)) in self.blocks.iter().zip(PAIRS) {
+            for i in 0..FUNCTIONS {
+                for j in 0..FUNCTIONS {
+                    let (row, column) = (3 * i + a, 3 * j + b);
+                    let value = if a == b && i > j { continue } else { block[i * FUNCTIONS + j] };
+                    let (row, column) = (row.min(column), row.max(column));
+                    self.tangent[row * ELEMENT + column] = value;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::beam::varying::{BeamGeometry, SectionGeometry};
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+    use std::sync::Arc;
+
+    /// Widens, thickens, gets round and turns up, over 40 nm.
+    #[derive(Clone, Debug)]
+    struct Neck;
+
+    impl BeamGeometry for Neck {
+        fn length(&self) -> f64 {
+            40.0
+        }
+        fn breaks(&self) -> Vec<f64> {
+            Vec::new()
+        }
+        fn at(&self, place: f64) -> SectionGeometry {
+            let t = place / 40.0;
+            SectionGeometry {
+                width: 20.0 + 5.0 * t * t,
+                height: [10.0 + 4.0 * t * t, 8.0 * t / 40.0, 8.0 / 1600.0],
+                roundness: 0.7 * t * t,
+                underside: [0.5 * t * t, t / 40.0],
+            }
+        }
+    }
+
+    const GROUND: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
+    const STATIONS: [f64; 2] = [10.0, 22.0];
+
+    fn with(face_points: usize, of: impl FnOnce(&ElementPlace, &Element, &NeoHookean)) {
+        let material = NeoHookean::new(2.0, 0.2);
+        let geometry = SolidGeometry::new(Arc::new(Neck), GROUND.equilibrium_gap());
+        let axis = geometry.axis(&[0.0, STATIONS[0], STATIONS[1]]);
+        let place = ElementPlace {
+            stations: STATIONS,
+            axis: [axis[1], axis[2]],
+            sides: [0.4, 1.0],
+            face_points,
+            geometry: &geometry,
+            material: &material,
+        };
+        of(&place, &Element::new(&place), &material);
+    }
+
+    #[test]
+    fn rigid_motions_cost_nothing_at_any_angle() {
+        with(0, |place, element, material| {
+            let coefficients = place.coefficients();
+            for angle in [0.01, 0.8, 2.6f64] {
+                let (sin, cos) = angle.sin_cos();
+                let moved = std::array::from_fn(|k| {
+                    let [x, y] = coefficients[k / 3];
+                    // a translation moves values, not slopes
+                    let shift = if k / 3 / 9 % 2 == 0 { [7.0, -3.0] } else { [0.0; 2] };
+                    match k % 3 {
+                        0 => (cos - 1.0) * x - sin * y + shift[0],
+                        1 => sin * x + (cos - 1.0) * y + shift[1],
+                        _ => 0.0,
+                    }
+                });
+                let mut work = ElementWork::default();
+                element.at(&moved, material, &GROUND, false, &mut work);
+                assert!(work.energy.abs() < 1e-12 * element.volume(), "{}", work.energy);
+                assert!(work.residual.iter().all(|force| force.abs() < 1e-11), "{:?}", work.residual);
+            }
+        });
+    }
+
+    #[test]
+    fn the_residual_is_the_slope_of_the_energy_and_the_tangent_that_of_the_residual() {
+        with(6, |_, element, material| {
+            let moved: [f64; ELEMENT] = std::array::from_fn(|k| {
+                let size = if k / 27 % 2 == 0 { 0.2 } else { 0.01 };
+                let lifted = if k % 3 == 1 && k / 27 % 2 == 0 { 0.5 } else { 0.0 };
+                lifted + size * ((k * k) as f64).sin()
+            });
+            let at = |moved: &[f64; ELEMENT], tangent: bool| {
+                let mut work = ElementWork::default();
+                element.at(moved, material, &GROUND, tangent, &mut work);
+                work
+            };
+            let own = at(&moved, true);
+            let largest = own.tangent.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            for column in (0..ELEMENT).step_by(7) {
+                let works = [-2e-4, -1e-4, 1e-4, 2e-4].map(|step| {
+                    let mut moved = moved;
+                    moved[column] += step;
+                    at(&moved, false)
+                });
+                let slope = |of: &dyn Fn(&ElementWork) -> f64| {
+                    let [a, b, c, d] = works.each_ref().map(of);
+                    (8.0 * (c - b) - (d - a)) / 12e-4
+                };
+                assert_relative_eq!(
+                    slope(&|work| work.energy),
+                    own.residual[column],
+                    epsilon = 1e-8,
+                    max_relative = 1e-8
+                );
+                for row in 0..ELEMENT {
+                    let (low, high) = (row.min(column), row.max(column));
+                    let entry = own.tangent[low * ELEMENT + high];
+                    assert_abs_diff_eq!(slope(&|work| work.residual[row]), entry, epsilon = 1e-8 * largest);
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn the_underside_is_seen_from_below() {
+        with(8, |place, element, _| {
+            let area: f64 = element.face.iter().map(|point| point.area).sum();
+            assert!(area > 0.0);
+            // the same by many more points
+            let mut expected = 0.0;
+            for (xi, w) in gauss(20) {
+                for (eta, u) in gauss(20) {
+                    let functions = functions(xi, -1.0, eta, place.length());
+                    let (rows, height) = place.jacobian(&place.coefficients(), &functions, [xi, -1.0, eta]);
+                    assert!(height > 0.0);
+                    expected += HALVES * w * u * (rows[0][0] * rows[2][2] - rows[0][2] * rows[2][0]);
+                }
+            }
+            assert_relative_eq!(area, expected, max_relative = 1e-9);
+        });
+    }
+}

@@ -1,0 +1,241 @@
+//! Half a spatula as a solid: its mesh, its elements, and what is asked of its displacements.
+
+use super::element::{Element, ElementPlace, ElementWork};
+use super::geometry::SolidGeometry;
+use super::layout::{ALONG, ELEMENT, Layout, THROUGH};
+use super::material::NeoHookean;
+use crate::adhesion::levels::half_space::HalfSpace;
+use crate::beam::varying::BeamGeometry;
+use crate::solve::state::{Mesh, State};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// Where a spatula is cut: stations along S, and lines across its half width.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpatulaMesh {
+    /// S of the stations, ascending from 0 to the length, nm; the outline's breaks among them
+    pub stations: Vec<f64>,
+    /// t of the lines across, ascending from 0, the plane of symmetry, to 1, the free edge
+    pub sides: Vec<f64>,
+    /// S up to which the underside adheres, nm; a station
+    pub adhering: f64,
+}
+
+impl SpatulaMesh {
+    /// The same with every column along S cut in two.
+    pub fn halved(&self) -> Self {
+        let pairs = self.stations.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+        Self { stations: pairs.chain(self.stations.last().copied()).collect(), ..self.clone() }
+    }
+}
+
+/// Points along S of an element of the underside: five where it is 2 nm long and r0 is 0.4 nm, eight at 4 nm.
+const FACE_POINTS: f64 = 3.0;
+const A_FACE_POINT: f64 = 2.0;
+const MOST_FACE_POINTS: usize = 20;
+/// What is added to a gap before a change is taken relative to it, over r0.
+const GAP_SCALE: f64 = 0.05;
+/// With no point nearer than this, over r0, nothing adheres.
+const DETACHED: f64 = 10.0;
+
+/// A spatula as a solid in space, in the grip of a machine that moves its end face along y.
+///
+/// Unknowns are those of half of it; energy and forces are those of the whole.
+#[derive(Clone, Debug)]
+pub struct SolidSpatula {
+    pub(super) mesh: SpatulaMesh,
+    pub(super) layout: Layout,
+    elements: Vec<Element>,
+    /// Of each element, where its unknowns stand in the front of its column
+    places: Vec<Vec<Option<usize>>>,
+    /// y of the nodes of the underside at rest, station by station, nm
+    heights: Vec<Vec<f64>>,
+    pub(super) ground: HalfSpace,
+    pub(super) material: NeoHookean,
+    /// E, GPa
+    pub(super) youngs_modulus: f64,
+}
+
+impl SolidSpatula {
+    /// Of an outline, of E (GPa) and ν, on this ground.
+    pub fn new(
+        outline: Arc<dyn BeamGeometry>,
+        (youngs_modulus, poissons_ratio): (f64, f64),
+        ground: HalfSpace,
+        mesh: SpatulaMesh,
+    ) -> Self {
+        let geometry = SolidGeometry::new(outline, ground.equilibrium_gap());
+        let material = NeoHookean::new(youngs_modulus, poissons_ratio);
+        let axis = geometry.axis(&mesh.stations);
+        let layout = Layout::new(mesh.stations.len() - 1, mesh.sides.len() - 1);
+        let of = |index: usize| {
+            let (column, strip) = (index / layout.strips, index % layout.strips);
+            let stations = [mesh.stations[column], mesh.stations[column + 1]];
+            let adheres = stations[1] <= mesh.adhering;
+            let points = FACE_POINTS + (stations[1] - stations[0]) / (A_FACE_POINT * ground.equilibrium_distance);
+            let place = ElementPlace {
+                stations,
+                axis: [axis[column], axis[column + 1]],
+                sides: [mesh.sides[strip], mesh.sides[strip + 1]],
+                face_points: if adheres { (points.ceil() as usize).min(MOST_FACE_POINTS) } else { 0 },
+                geometry: &geometry,
+                material: &material,
+            };
+            (Element::new(&place), layout.places(column, strip))
+        };
+        let (elements, places) = (0..layout.columns * layout.strips).into_par_iter().map(of).unzip();
+        let height = |(station, &place): (usize, &f64)| {
+            let line = |line: usize| {
+                let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
+                let t = if line % 2 == 0 { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
+                geometry.in_plane(place, axis[station], -1.0, t).place[1]
+            };
+            (0..layout.lines()).map(line).collect()
+        };
+        let heights = mesh.stations.iter().enumerate().map(height).collect();
+        Self { mesh, layout, elements, places, heights, ground, material, youngs_modulus }
+    }
+
+    /// S of the stations, nm.
+    pub fn stations(&self) -> &[f64] {
+        &self.mesh.stations
+    }
+
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.layout.unknowns()
+    }
+
+    /// Volume of the whole body, nm³.
+    pub fn volume(&self) -> f64 {
+        self.elements.iter().map(Element::volume).sum()
+    }
+
+    /// Numbers that a factorisation keeps.
+    pub fn factor_numbers(&self) -> usize {
+        let own = self.layout.station.len();
+        (0..self.layout.columns).map(|column| own * (own + self.layout.at(column + 1))).sum()
+    }
+
+    /// The stress-free configuration.
+    pub fn at_rest(&self) -> State {
+        let mesh = Mesh { boundaries: self.mesh.stations.clone(), ..Mesh::default() };
+        State { mesh, values: vec![0.0; self.unknowns()], force: 0.0, history: None }
+    }
+
+    /// The column and strip of an element.
+    pub(super) fn column_of(&self, index: usize) -> usize {
+        index / self.layout.strips
+    }
+
+    /// Where the unknowns of an element stand in the front of its column.
+    pub(super) fn places(&self, index: usize) -> &[Option<usize>] {
+        &self.places[index]
+    }
+
+    /// Displacements of the functions of an element.
+    pub(super) fn moved(&self, values: &[f64], index: usize) -> [f64; ELEMENT] {
+        let own = &values[self.layout.start(self.column_of(index))..];
+        let places = &self.places[index];
+        std::array::from_fn(|k| places[k].map_or(0.0, |place| own[place]))
+    }
+
+    /// What an element adds at these values.
+    pub(super) fn element_at(&self, values: &[f64], index: usize, tangent: bool, work: &mut ElementWork) {
+        let moved = self.moved(values, index);
+        self.elements[index].at(&moved, &self.material, &self.ground, tangent, work);
+    }
+
+    /// Calls `at` for each point of the underside with its gap and area, and with what adds N of each function to a gradient.
+    pub(super) fn over_underside(&self, values: &[f64], mut at: impl FnMut(f64, f64, &mut dyn FnMut(f64, &mut [f64]))) {
+        for (index, element) in self.elements.iter().enumerate().filter(|(_, element)| !element.face.is_empty()) {
+            let moved = self.moved(values, index);
+            let start = self.layout.start(self.column_of(index));
+            for point in &element.face {
+                let mut add = |factor: f64, gradient: &mut [f64]| {
+                    for (k, value) in point.values.iter().enumerate() {
+                        if let Some(place) = self.places[index][3 * Element::on_face(k) + 1] {
+                            gradient[start + place] += factor * value;
+                        }
+                    }
+                };
+                at(Element::gap(point, &moved), point.area, &mut add);
+            }
+        }
+    }
+
+    /// What is added to a gap before changes are taken relative to it, nm.
+    pub(super) fn gap_scale(&self) -> f64 {
+        GAP_SCALE * self.ground.equilibrium_distance
+    }
+
+    /// The smallest gap of the underside at each station, nm.
+    pub fn gaps(&self, values: &[f64]) -> Vec<f64> {
+        let own = |station: usize| {
+            let gap = |(line, height): (usize, &f64)| {
+                let unknown = self.layout.unknown(station, (0, line), false, 1);
+                height + unknown.map_or(0.0, |unknown| values[unknown])
+            };
+            self.heights[station].iter().enumerate().map(gap).fold(f64::INFINITY, f64::min)
+        };
+        (0..=self.layout.columns).map(own).collect()
+    }
+
+    /// Stations whose underside adheres.
+    pub(super) fn adhering_stations(&self) -> usize {
+        self.mesh.stations.partition_point(|&place| place <= self.mesh.adhering)
+    }
+
+    /// Whether no node of the underside is nearer to the ground than 10 r0.
+    pub fn is_detached(&self, values: &[f64]) -> bool {
+        let cutoff = DETACHED * self.ground.equilibrium_distance;
+        self.gaps(values).into_iter().take(self.adhering_stations()).all(|gap| gap > cutoff)
+    }
+
+    /// S of the last station from the tip on at which the gap is below twice that of the largest attraction, nm: where the front is.
+    pub fn front(&self, values: &[f64]) -> f64 {
+        let near = 2.0 * self.ground.strongest_gap();
+        let gaps = self.gaps(values);
+        let last = (0..self.adhering_stations()).rev().find(|&station| gaps[station] < near);
+        last.map_or(0.0, |station| self.mesh.stations[station])
+    }
+
+    /// Values of this state on another mesh of the same body, whose lines across are the same: displacements and slopes at its stations.
+    pub fn transferred(&self, values: &[f64], to: &Self) -> Vec<f64> {
+        let mut found = vec![0.0; to.unknowns()];
+        for station in 0..to.layout.columns {
+            let place = to.mesh.stations[station];
+            let column = self.mesh.stations.partition_point(|&own| own <= place).clamp(1, self.layout.columns) - 1;
+            let ends = [self.mesh.stations[column], self.mesh.stations[column + 1]];
+            let length = ends[1] - ends[0];
+            let functions = Element::along(2.0 * (place - ends[0]) / length - 1.0, length);
+            for (own, unknown) in to.layout.station.iter().enumerate() {
+                let node = (unknown.through, unknown.across);
+                let mut sum = 0.0;
+                for along in 0..ALONG {
+                    let [value, slope] = functions[along];
+                    let factor = if unknown.slope { 2.0 * slope / length } else { value };
+                    let from = self.layout.unknown(column + along / 2, node, along % 2 == 1, unknown.axis);
+                    sum += factor * from.map_or(0.0, |from| values[from]);
+                }
+                found[to.layout.start(station) + own] = sum;
+            }
+        }
+        let (from, into) = (self.layout.start(self.layout.columns), to.layout.start(to.layout.columns));
+        found[into..].copy_from_slice(&values[from..]);
+        found
+    }
+
+    /// Displacement of a node: station, node through the thickness (0 to 2, the underside first) and across.
+    pub fn displacement(&self, values: &[f64], station: usize, (through, across): (usize, usize)) -> [f64; 3] {
+        debug_assert!(through < THROUGH);
+        std::array::from_fn(|axis| {
+            self.layout.unknown(station, (through, across), false, axis).map_or(0.0, |unknown| values[unknown])
+        })
+    }
+}
