@@ -292,23 +292,16 @@ fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColo
 
 /// What a note shows: all of it, its first line alone where there is no room for more, or its number alone.
 fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, note: &Note) -> Drawn {
-    if note.badge.is_none() && note.text.is_empty() {
-        return Ok(());
-    }
     let indent = if note.badge.is_some() { 2.0 * BADGE } else { 0.0 };
     let size = |lines: &[String]| -> Drawn<(f64, f64)> {
         let mut width = indent;
         for text in lines {
             width = width.max(indent + 5.0 + canvas.length(text, size::TEXT)?);
         }
-        // a number alone keeps apart from the texts of others
-        width += if lines.is_empty() { 2.0 * APART } else { 0.0 };
         Ok((width, (lines.len() as f64 * size::LEADING).max(indent)))
     };
     let mut found = None;
-    // a number alone has its place as any label, where there is one
-    let fewest = usize::from(!note.text.is_empty());
-    for count in [note.text.len(), fewest] {
+    for count in [note.text.len(), 1].into_iter().filter(|_| !note.text.is_empty()) {
         let lines = &note.text[..count];
         let (width, height) = size(lines)?;
         found = found.or_else(|| places.clear_beside(at, width, height).map(|place| (place, lines)));
@@ -330,8 +323,7 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
         canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;
     }
     if let Some(number) = note.badge {
-        let across = if lines.is_empty() { 0.5 * place.width() } else { BADGE };
-        let centre = (place.left + across, 0.5 * (place.top + place.bottom));
+        let centre = (place.left + BADGE, 0.5 * (place.top + place.bottom));
         draw_badge(canvas, number, centre, mark.colour)?;
     }
     let left = if note.badge.is_some() { place.left + indent + 5.0 } else { place.left + 2.0 };

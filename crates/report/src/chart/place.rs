@@ -44,6 +44,9 @@ impl Frame {
     }
 }
 
+/// How far from its point a label may stand, pixels; a number alone stands at one of the first ones.
+const DISTANCES: [f64; 13] = [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0, 180.0, 215.0];
+const NEARBY: usize = 9;
 /// Places of a leader that are looked at.
 const LOOKS: usize = 32;
 /// What is nearer to a legend is beside it, pixels.
@@ -110,31 +113,37 @@ impl Places {
         self.take(tries.collect())
     }
 
-    /// Takes a place near `at` for a block.
+    /// Takes a place near `at` for a block. Its leader crosses no other one and runs through no label where there is such a place.
     pub fn beside(&mut self, at: Pixel, width: f64, height: f64) -> Frame {
-        let tries = self.around(at, width, height);
-        self.take(tries)
+        let tries = self.around(at, width, height, &DISTANCES[..NEARBY]);
+        let uncrossed = self.uncrossed(at, &tries, |frame| !self.hides(at, frame));
+        self.take(if uncrossed.is_empty() { tries } else { uncrossed })
+    }
+
+    /// Of these places those whose leader crosses no other one, and that pass.
+    fn uncrossed(&self, at: Pixel, tries: &[(Frame, f64)], passes: impl Fn(&Frame) -> bool) -> Vec<(Frame, f64)> {
+        let apart = |frame: &Frame| !self.leaders.iter().any(|&other| cross([at, frame.nearest(at)], other));
+        tries.iter().filter(|(frame, _)| apart(frame) && passes(frame)).copied().collect()
     }
 
     /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place. Its leader crosses no other
     /// one where there is such a place.
     pub fn clear_beside(&mut self, at: Pixel, width: f64, height: f64) -> Option<Frame> {
-        let mut tries = self.around(at, width, height);
+        let mut tries = self.around(at, width, height, &DISTANCES);
         tries.retain(|(frame, _)| {
             let led_through =
                 self.leaders.iter().any(|&[a, b]| clip_segment(a, b, frame).is_some()) || self.hides(at, frame);
             self.covered(frame) == 0.0 && self.outside(frame) < 1.0 && !led_through
         });
-        let apart = |frame: &Frame| !self.leaders.iter().any(|&other| cross([at, frame.nearest(at)], other));
-        let uncrossed: Vec<_> = tries.iter().filter(|(frame, _)| apart(frame)).copied().collect();
+        let uncrossed = self.uncrossed(at, &tries, |_| true);
         let tries = if uncrossed.is_empty() { tries } else { uncrossed };
         (!tries.is_empty()).then(|| self.take(tries))
     }
 
     /// Places near `at`, and what speaks against each.
-    fn around(&self, at: Pixel, width: f64, height: f64) -> Vec<(Frame, f64)> {
+    fn around(&self, at: Pixel, width: f64, height: f64, distances: &[f64]) -> Vec<(Frame, f64)> {
         let mut tries = Vec::new();
-        for distance in [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0, 180.0, 215.0] {
+        for &distance in distances {
             for turn in 0..24 {
                 let (sin, cos) = (f64::from(turn) * std::f64::consts::PI / 12.0).sin_cos();
                 let (x, y) = (at.0 + distance * cos, at.1 - distance * sin);
