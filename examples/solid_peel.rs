@@ -29,7 +29,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut model = PeelModel::from(StripModel::of_the_paper(100.0, 1.0));
     model.adhesion.far_face = false;
     if let Some(long) = settings.long_elements(&model) {
-        println!("elements of {} nm, and a process zone of {:.2} nm: the force oscillates", long.along, long.process_length);
+        println!(
+            "elements of {} nm, and a process zone of {:.2} nm: the force oscillates",
+            long.along, long.process_length
+        );
     }
     let options = SolidOptions { stations: STATIONS.to_vec(), ..SolidOptions::default() };
     let begun = Instant::now();
@@ -48,8 +51,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for point in peel.limit_points.iter().take(7) {
         print!("limit point of the {:<12} u = {:10.6} nm  P = {:.7} nN", point.kind, point.displacement, point.force);
         match point.errors {
-            Some(errors) if errors.confirmed => println!("  ± {:.1e} nm  ± {:.1e} nN", errors.displacement, errors.force),
-            Some(errors) => println!("  ± {:.1e} nm  ± {:.1e} nN, not on the finer mesh", errors.displacement, errors.force),
+            Some(errors) if errors.confirmed => {
+                println!("  ± {:.1e} nm  ± {:.1e} nN", errors.displacement, errors.force)
+            }
+            Some(errors) => {
+                println!("  ± {:.1e} nm  ± {:.1e} nN, not on the finer mesh", errors.displacement, errors.force)
+            }
             None => println!(),
         }
     }
