@@ -103,7 +103,7 @@ fn polynomial(coefficients: &[f64; 6], z: f64) -> f64 {
     sum
 }
 
-/// F64x4 numbers side by side.
+/// Four numbers side by side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(32))]
 pub struct F64x4(pub [f64; 4]);

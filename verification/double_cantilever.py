@@ -1,39 +1,73 @@
 #!/usr/bin/env python3
-"""Double cantilever beams with an initial crack: the largest force. Writes double_cantilever.csv.
+"""Double cantilever beams and T-peels with an initial crack: forces. Writes double_cantilever.csv and t_peel.csv.
 
 One arm on the plane of symmetry, which carries half of the work and half of the opening. The arm is a geometrically exact beam without
 horizontal force: y' = (1 + eps) sin(theta) + gamma cos(theta), theta' = M/EI, V' = b T(y), M' = -x' V, with eps = V sin(theta)/EA and
 gamma = V cos(theta)/GAs. The interface is the exponential law T = sigma y/d exp(1 - y/d), d = w/(e sigma), over 0 < S < L - a, and nothing
 beyond. V = M = 0 at S = 0, M = 0 and y = u at the load. scipy's solve_bvp solves it on both sides of the tip at once, from opening to
-opening; the peak is the largest P over u, by Brent's method.
+opening; the peak is the largest P over u, by Brent's method. A T-peel is the same, of films: they turn upright, and the force becomes
+steady where P + P^2/2EA = w b of an arm.
 
 Printed beside it: linear elastic fracture mechanics of slender arms, P = sqrt(b G EI)/a.
 """
+from dataclasses import dataclass
+
 import numpy as np
 import tables
 from scipy.integrate import solve_bvp
 from scipy.optimize import minimize_scalar
 
-# Alfano and Crisfield (2001), Table I: N, mm; the release rate is that of the whole joint
-LENGTH, HEIGHT, WIDTH, MODULUS, SHEAR, RELEASE = 100.0, 1.5, 20.0, 135.3e3, 5.2e3, 0.28
-AREA = WIDTH * HEIGHT
-BENDING, AXIAL, SHEARING = MODULUS * WIDTH * HEIGHT**3 / 12, MODULUS * AREA, 5 / 6 * SHEAR * AREA
+
+
+@dataclass(frozen=True)
+class Beam:
+    """One arm: N, mm; the release rate is that of the whole joint."""
+
+    length: float
+    height: float
+    width: float
+    modulus: float
+    shear: float
+    release: float
+
+    @property
+    def bending(self):
+        return self.modulus * self.width * self.height**3 / 12
+
+    @property
+    def axial(self):
+        return self.modulus * self.width * self.height
+
+    @property
+    def shearing(self):
+        return 5 / 6 * self.shear * self.width * self.height
+
+
+# Alfano and Crisfield (2001), Table I
+LAMINATE = Beam(length=100.0, height=1.5, width=20.0, modulus=135.3e3, shear=5.2e3, release=0.28)
+# scenes/t-peel.toml
+FILM = Beam(length=15.0, height=0.075, width=25.0, modulus=3.5e3, shear=3.5e3 / 2.7, release=0.2)
+FILM_STRENGTH, FILM_CRACK, FILM_OPENINGS = 0.5, 5.0, (0.5, 1.0, 2.0, 4.0, 5.5, 7.0, 9.0)
 CASES = [(strength, crack) for crack in (30.0, 50.0) for strength in (5.0, 10.0, 30.0, 57.0)]
 # of the residual, relative as in solve_bvp
 TOLERANCE = 1e-6
-NAME = "double_cantilever.csv"
+NAME, FILM_NAME = "double_cantilever.csv", "t_peel.csv"
 REMARKS = (
     "The largest force on double cantilever beams with an initial crack, computed without finite elements by verification/double_cantilever.py.",
     "One arm: 100 x 20 x 1.5 mm, 135.3 GPa, G 5.2 GPa, shear correction 5/6; the exponential law with half of 280 J/m2. Good to 1e-7.",
+)
+FILM_REMARKS = (
+    "Forces of a T-peel at openings of one arm, computed without finite elements by verification/double_cantilever.py.",
+    "One arm: 15 x 25 x 0.075 mm, 3.5 GPa, nu 0.35, shear correction 5/6, crack 5 mm; the exponential law, half of 200 J/m2, 0.5 MPa. Good to 1e-7.",
 )
 
 
 class Arm:
     """One arm; y in units of d."""
 
-    def __init__(self, strength, crack):
-        self.strength, self.tip, self.crack = strength, LENGTH - crack, crack
-        self.scale = 0.5 * RELEASE / (np.e * strength)
+    def __init__(self, beam, strength, crack):
+        self.beam, self.strength, self.tip, self.crack = beam, strength, beam.length - crack, crack
+        self.scale = 0.5 * beam.release / (np.e * strength)
         # dense next to the tip, at z = 1 of the part that adheres; every solution begins on this mesh
         self.mesh = 1 - (1 - np.linspace(0, 1, 1500)) ** 2
         self.last = None
@@ -44,10 +78,10 @@ class Arm:
         for part, length in ((0, self.tip), (4, self.crack)):
             y, theta, V, M = v[part : part + 4]
             sin, cos = np.sin(theta), np.cos(theta)
-            stretch, slide = 1 + V * sin / AXIAL, V * cos / SHEARING
+            stretch, slide = 1 + V * sin / self.beam.axial, V * cos / self.beam.shearing
             out[part] = length * (stretch * sin + slide * cos) / self.scale
-            out[part + 1] = length * M / BENDING
-            out[part + 2] = length * WIDTH * self.strength * y * np.exp(1 - np.maximum(y, -5)) if part == 0 else 0
+            out[part + 1] = length * M / self.beam.bending
+            out[part + 2] = length * self.beam.width * self.strength * y * np.exp(1 - np.maximum(y, -5)) if part == 0 else 0
             out[part + 3] = -length * V * (stretch * cos - slide * sin)
         return out
 
@@ -67,8 +101,8 @@ class Arm:
 
 def peak(strength, crack):
     """The largest force."""
-    arm = Arm(strength, crack)
-    slender = crack**2 * np.sqrt(RELEASE * WIDTH / BENDING) / 3
+    arm = Arm(LAMINATE, strength, crack)
+    slender = crack**2 * np.sqrt(LAMINATE.release * LAMINATE.width / LAMINATE.bending) / 3
     openings, forces = [0.05 * slender], [arm.force(0.05 * slender)]
     while len(forces) < 2 or forces[-1] > forces[-2]:
         openings.append(openings[-1] + 0.05 * slender)
@@ -79,10 +113,24 @@ def peak(strength, crack):
 
 def rows():
     for strength, crack in CASES:
-        force, slender = peak(strength, crack), np.sqrt(WIDTH * RELEASE * BENDING) / crack
+        force, slender = peak(strength, crack), np.sqrt(LAMINATE.width * LAMINATE.release * LAMINATE.bending) / crack
         print(f"{strength} MPa, crack of {crack} mm: {force:.9g} N; slender arms {slender:.4g} N")
         yield {"strength_MPa": strength, "crack_mm": crack, "peak_N": force}
 
 
+def film_rows():
+    """From opening to opening, in steps that the Newton method of solve_bvp follows."""
+    arm, at = Arm(FILM, FILM_STRENGTH, FILM_CRACK), 0.0
+    for opening in FILM_OPENINGS:
+        for u in np.linspace(at, opening, 1 + max(1, round((opening - at) / 0.1)))[1:]:
+            force = arm.force(u)
+        at = opening
+        print(f"T-peel, opening of an arm of {opening} mm: {force:.10g} N")
+        yield {"opening_mm": opening, "force_N": force}
+    work = 0.5 * FILM.release * FILM.width
+    steady = FILM.axial * (np.sqrt(1 + 2 * work / FILM.axial) - 1)
+    print(f"steady force P + P^2/2EA = w b: {steady:.10g} N")
+
+
 if __name__ == "__main__":
-    tables.run(__doc__.split("\n")[0], [(NAME, REMARKS, lambda: list(rows()))], relative=1e-7)
+    tables.run(__doc__.split("\n")[0], [(NAME, REMARKS, lambda: list(rows())), (FILM_NAME, FILM_REMARKS, lambda: list(film_rows()))], relative=1e-7)

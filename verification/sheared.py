@@ -40,6 +40,7 @@ CASES = [
     *(replace(D, angle=a, factor=f) for a, f in ((60.0, 0.01), (120.0, 0.01), (60.0, 100.0))),
     replace(D, angle=60.0, rotation="fixed"), replace(D, horizontal="fixed"), replace(D, angle=60.0, horizontal="fixed"),
     replace(D, angle=60.0, law="bilinear"), replace(D, law="dugdale"), replace(D, angle=45.0, length=200.0),
+    replace(D, angle=0.0),
 ]
 QUICK = [CASES[i] for i in (1, 6, 13)]
 COLUMNS = ("length_nm", "bending_stiffness_factor", "law", "shear_strength_GPa", "grip_rotation", "grip_across", "far_face", "pull_angle_deg", *VALUES)

@@ -1,6 +1,7 @@
 //! Scenes that are sampled over wide ranges.
 
 use crate::job::Job;
+use peelkit::model::Attraction;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::fmt::Write as _;
@@ -77,7 +78,7 @@ fn scene_text(random: &mut Random, spatula: bool) -> String {
     line(format!("far_face = {}", random.one_in(2)));
     let mut law = "body-force";
     if !rough && random.one_in(3) {
-        law = random.pick(&["body-force", "surface-traction", "bilinear", "exponential", "dugdale"]);
+        law = random.pick(&Attraction::all().map(Attraction::name).collect::<Vec<_>>());
         let load = random.pick(&["full", "full", "force-only", "axis-gap"]);
         line(format!("law = \"{law}\"\nline_load = \"{load}\""));
     }

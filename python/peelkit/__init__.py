@@ -8,7 +8,7 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 from ._native import SCHEMA, VERSION as __version__
 from ._sweep import read_sweep, sweep
 from .analyses import Fit, Optimum, Uncertainty, fit, optimise, uncertainty
-from .curve import Columns, Curve, PullOffCurve, RateCurve
+from .curve import Columns, Curve, PullOffCurve, RateCurve, SolidCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
 from .found import Found
@@ -16,7 +16,7 @@ from .out_of_plane import OutOfPlane
 from .path import Path, PathPoint
 from .peel import Peel
 from .points import LimitPoint, Peak, Plateau, Station
-from .pulls import PullAtRate, PullOff
+from .pulls import PullAtRate, PullOff, SolidPeel
 from .scene import Scene
 from .sensitivity import Sensitivity
 from .state import State
@@ -46,6 +46,8 @@ __all__ = [
     "Scene",
     "SceneError",
     "Sensitivity",
+    "SolidCurve",
+    "SolidPeel",
     "State",
     "Station",
     "Test",

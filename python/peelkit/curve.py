@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from . import _native
 
-__all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve"]
+__all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve", "SolidCurve"]
 
 #: Rows that a notebook shows of either end.
 _SHOWN = 5
@@ -159,6 +159,32 @@ class PullOffCurve(Columns):
     energy: NDArray[np.float64]
     work: NDArray[np.float64]
     released: NDArray[np.float64]
+
+
+class SolidCurve(Columns):
+    """The columns of ``curve.csv`` of the peel of a solid: an array a column, an item a point of the path.
+
+    Attributes
+    ----------
+    displacement, force : ndarray of float64
+        u and P of the grip, nm and nN.
+    end_rotation : ndarray of float64
+        Rotation of the chord of the end face, rad.
+    work : ndarray of float64
+        Of the grip from the beginning of the path, aJ; NaN for a load without a potential, as the next two.
+    negative_eigenvalues, negative_eigenvalues_load : ndarray
+        Unstable directions with the displacement held, and with the force.
+    detached : ndarray of float64
+        Length that has come off, nm.
+    """
+
+    displacement: NDArray[np.float64]
+    force: NDArray[np.float64]
+    end_rotation: NDArray[np.float64]
+    work: NDArray[np.float64]
+    negative_eigenvalues: NDArray[Any]
+    negative_eigenvalues_load: NDArray[Any]
+    detached: NDArray[np.float64]
 
 
 class RateCurve(Columns):

@@ -1,4 +1,4 @@
-"""The pull-off of a seta, and pulls at a rate."""
+"""The pull-off of a seta, pulls at a rate, and peels of solids."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from .curve import Columns, PullOffCurve, RateCurve, of_columns
+from .curve import Columns, PullOffCurve, RateCurve, SolidCurve, of_columns
 from .errors import ComputationError
 from .found import Found
 from .points import Peak
@@ -14,7 +14,7 @@ from .points import Peak
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["PullAtRate", "PullOff"]
+__all__ = ["PullAtRate", "PullOff", "SolidPeel"]
 
 
 class _Pull(Found):
@@ -106,6 +106,37 @@ class PullOff(_Pull):
         """Title, end and peak."""
         force = "no peak" if self.peak_force is None else f"peak {self.peak_force:.6g} nN"
         return f"<PullOff of {self._found['title']!r}: {self.end}, {force}, {self.tips} tips>"
+
+
+class SolidPeel(_Pull):
+    """The peel of a strip as a solid; :meth:`Scene.run` of a scene with a table ``solid`` makes one."""
+
+    @classmethod
+    def _of(cls, native: _native.Found) -> SolidPeel:
+        return cls(native, cls._read(native), of_columns(SolidCurve, native.columns()))
+
+    @property
+    def curve(self) -> SolidCurve:
+        """The points of the path as arrays: the columns of ``curve.csv``."""
+        assert isinstance(self._curve, SolidCurve)
+        return self._curve
+
+    @property
+    def peak(self) -> dict[str, Any] | None:
+        """The largest force up to the first jump, an object of ``summary.json``: None where there is none."""
+        peak: dict[str, Any] | None = self.summary()["peak"]
+        return peak
+
+    @property
+    def limit_points(self) -> list[dict[str, Any]]:
+        """All limit points, in path order: objects of ``summary.json``."""
+        points: list[dict[str, Any]] = self.summary()["limit_points"]
+        return points
+
+    def __repr__(self) -> str:
+        """Title, end and peak."""
+        force = "no peak" if self.peak is None else f"peak {self.peak['force_nN']:.6g} nN"
+        return f"<SolidPeel of {self._found['title']!r}: {self.end}, {force}>"
 
 
 class PullAtRate(_Pull):

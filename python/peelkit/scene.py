@@ -17,13 +17,13 @@ from .observed import Test
 from .out_of_plane import OutOfPlane
 from .path import Path as EquilibriumPath
 from .peel import Peel
-from .pulls import PullAtRate, PullOff
+from .pulls import PullAtRate, PullOff, SolidPeel
 from .sensitivity import Sensitivity
 from .tip_law import TipLaw
 
 __all__ = ["Scene"]
 
-_Run = TypeVar("_Run", Peel, PullOff, PullAtRate, OutOfPlane)
+_Run = TypeVar("_Run", Peel, PullOff, PullAtRate, SolidPeel, OutOfPlane)
 
 
 class Scene:
@@ -177,12 +177,12 @@ class Scene:
         """Compute what the scene describes, as ``peel run`` does.
 
         Of a beam that is the whole path of equilibria, with its limit points and their error bounds. Of a scene with a table
-        ``seta`` it is :meth:`pull_off`, and of one with a table ``time`` :meth:`pull_at_rate`: call these where types are
-        checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
+        ``seta`` it is :meth:`pull_off`, with ``time`` :meth:`pull_at_rate`, with ``solid`` :meth:`peel_solid`: call these where
+        types are checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
 
         Returns
         -------
-        Peel, PullOff or PullAtRate
+        Peel, PullOff, PullAtRate or SolidPeel
             What was reached, also where the computation stopped short: then its `end` is ``"failed"``, and where the model
             has no stable state at rest ``"refused"``.
 
@@ -194,6 +194,8 @@ class Scene:
         """
         if self._native.subject == "seta":
             return self._warned(PullOff._of(_native.pull_off(self._native)))
+        if self._native.subject == "solid":
+            return self._warned(SolidPeel._of(_native.peel_solid(self._native)))
         if self._native.subject == "rate":
             return self._warned(PullAtRate._of(_native.pull_at_rate(self._native)))
         return self._warned(Peel(self._native.run(), self))
@@ -220,6 +222,18 @@ class Scene:
         if self._native.subject != "seta":
             raise SceneError("the scene has no seta in equilibrium", "Give it a table `seta`, and none `time`.")
         return self._warned(PullOff._of(_native.pull_off(self._native)))
+
+    def peel_solid(self) -> SolidPeel:
+        """Compute the peel of the strip of the scene as a solid, as ``peel run`` does: see :meth:`run`.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no table ``solid``.
+        """
+        if self._native.subject != "solid":
+            raise SceneError("the scene is not computed as a solid", "Give it a table `solid`.")
+        return self._warned(SolidPeel._of(_native.peel_solid(self._native)))
 
     def pull_at_rate(self) -> PullAtRate:
         """Compute the pull of the scene at its rate, of a beam or of a seta, as ``peel run`` does: see :meth:`run`.

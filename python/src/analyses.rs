@@ -7,8 +7,8 @@ use crate::interrupt::Watch;
 use crate::scene::NativeScene;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
 use peelkit::study::{MeasuredPoint, observed};
-use peelkit_analyses::{Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, TipCoarsening, Uncertainty};
-use peelkit_report::{ObservedSummary, Record, pull_off_columns, rate_columns, timed};
+use peelkit_analyses::{Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, SolidRun, TipCoarsening, Uncertainty};
+use peelkit_report::{ObservedSummary, Record, pull_off_columns, rate_columns, solid_columns, timed};
 use pyo3::prelude::*;
 use std::path::Path;
 
@@ -25,6 +25,14 @@ pub fn pull_off(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
 pub fn pull_at_rate(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
     let found = analysed(py, &scene.source, |scene| RateRun::of(scene, Asked::default()))?;
     let columns = of_cells(py, rate_columns(&found.pulled.points))?;
+    Ok(NativeFound::new(&scene.source, found)?.with_columns(columns))
+}
+
+/// The peel of the strip of a scene as a solid.
+#[pyfunction]
+pub fn peel_solid(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
+    let found = analysed(py, &scene.source, |scene| SolidRun::of(scene, Asked::default()))?;
+    let columns = of_cells(py, solid_columns(&found.peel.points))?;
     Ok(NativeFound::new(&scene.source, found)?.with_columns(columns))
 }
 

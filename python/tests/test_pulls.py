@@ -23,7 +23,7 @@ def small_seta(root: Path) -> peelkit.Scene:
     return peelkit.Scene.read("scenes/seta.toml").with_(SMALL)
 
 
-def compared(found: peelkit.PullOff | peelkit.PullAtRate, printed: dict[str, Any], folder: Path) -> None:
+def compared(found: peelkit.PullOff | peelkit.PullAtRate | peelkit.SolidPeel, printed: dict[str, Any], folder: Path) -> None:
     """The result against what the command has printed and written."""
     assert comparable(found.summary()) == comparable(printed)
     table, written = found.curve.to_pandas(), columns(folder / "curve.csv")
@@ -55,6 +55,20 @@ def test_a_pull_at_a_rate_is_that_of_the_command(
     assert found.largest_force == printed["largest_force"]["force_nN"] >= found.curve.force.max()
     assert found.over_equilibria is not None and found.over_equilibria > 1.0
     assert ("front" in found.curve) == (name == "strip-at-a-rate.toml")
+
+
+def test_a_solid_is_peeled_as_by_the_command(
+    root: Path, command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(root)
+    short = {"path.until": "first-jump", "solid.along": "4 nm", "solid.through": 3}
+    sets = [part for key, value in short.items() for part in ("--set", f"{key}={value}")]
+    printed = command("run", "scenes/solid-strip.toml", *sets, "--json", "--out", tmp_path)
+    found = peelkit.Scene.read("scenes/solid-strip.toml").with_(short).run()
+    assert isinstance(found, peelkit.SolidPeel)
+    compared(found, printed, tmp_path)
+    assert found.peak is not None and found.peak["force_nN"] == printed["peak"]["force_nN"]
+    assert len(found.limit_points) == len(printed["limit_points"])
 
 
 def test_saved_files_are_those_of_the_command(

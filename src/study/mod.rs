@@ -9,6 +9,7 @@ mod out_of_plane;
 mod parameters;
 mod peel;
 mod seta;
+mod solid_peel;
 mod states;
 mod terms;
 pub use crate::solve::LimitPointKind;
@@ -48,7 +49,8 @@ pub use out_of_plane::result::{NotOutOfPlane, OutOfPlane, OutOfPlaneError, OutOf
 pub use out_of_plane::width_range::{WidthLimit, WidthRange};
 pub use parameters::fit::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
 pub use parameters::fit::problem::{
-    CurveBy, CurveOf, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf, ProfileChoice,
+    CurveBy, CurveOf, DisplacementError, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
+    ProfileChoice,
 };
 pub use parameters::fit::pulled_curve::PulledCurve;
 pub use parameters::fit::result::{
@@ -79,6 +81,10 @@ pub use seta::result::{
 pub use seta::run::{SetaProgress, pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
 pub use seta::standing::SetaBranch;
+pub use solid_peel::{
+    SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
+    peel_solid,
+};
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::beam_state::{BeamState, StateSections};
 pub use states::station::{MissedStation, Station, StationAt, StationErrors, StationQuantity, Stations};

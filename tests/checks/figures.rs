@@ -14,6 +14,7 @@ fn the_figures_come_with_their_data_and_captions() {
     assert!(holds_figures(&dir));
     let readme = std::fs::read_to_string(dir.join("README.md")).unwrap();
     for stem in [
+        "fig05-elements",
         "fig09-peeling",
         "peel-curve",
         "peel-shapes",

@@ -8,23 +8,14 @@
 //! Expected: terminal, summary.json and tables say one thing; what is read back is the same table; bad ranges and scenes of which there is
 //! no table are refused before anything is computed, with what would be right.
 
+use crate::peel::{refuses, run, scene};
 use peelkit::study::coarsening::{TipPlace, TipSheet};
 use peelkit_report::read_tip_law;
 use serde_json::Value;
 use std::path::Path;
-use std::process::Command;
-
-const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/spatula.toml");
 
 fn coarsen(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
-        .current_dir(dir)
-        .args(["coarsen", SCENE])
-        .args(arguments)
-        .output()
-        .unwrap();
-    let plain = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), plain(output.stdout), plain(output.stderr))
+    run(dir, &[&["coarsen", &scene("spatula")], arguments].concat())
 }
 
 #[test]
@@ -57,7 +48,6 @@ fn the_law_is_written_and_read_back() {
 
 #[test]
 fn what_has_no_table_is_refused() {
-    let dir = tempfile::tempdir().unwrap();
     for (arguments, words) in [
         (&["--tolerance", "1"][..], "the tolerance 1 is out of range"),
         (&["--press=-1 nm"], "the spatula is pressed by -1 nm"),
@@ -70,10 +60,6 @@ fn what_has_no_table_is_refused() {
         (&["--set", "adhesion.line_load=force-only"], "has no potential"),
         (&["--set", "terms=auto"], "all of its terms"),
     ] {
-        let (status, _, trouble) = coarsen(dir.path(), arguments);
-        assert_eq!(status, Some(2), "{arguments:?} {trouble}");
-        let plain = trouble.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(plain.contains(words), "{arguments:?}: {plain}");
+        refuses(&[], &[&["coarsen", &scene("spatula")], arguments].concat(), &[words]);
     }
-    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
 }

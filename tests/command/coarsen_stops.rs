@@ -6,7 +6,7 @@
 //! Parameters: scenes/spatula.toml to 1e-5, which takes minutes. Expected: exit status 3, a message that says why and how far it came, and nothing in
 //! the folder; likewise of a seta that computes the table of its tips. Why: a command that takes long has to be heard, and part of a table is none.
 
-use crate::seta::run as peel;
+use crate::peel::{plain, run as peel, scene};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -18,7 +18,7 @@ fn the_time_of_the_scene_ends_it() {
     let dir = tempfile::tempdir().unwrap();
     let began = Instant::now();
     let (status, _, trouble) = peel(dir.path(), &[&LONG[..], &["--set", "bounds.time=0.2 s"]].concat());
-    let plain = trouble.split_whitespace().collect::<Vec<_>>().join(" ");
+    let plain = plain(&trouble);
     assert_eq!(status, Some(3), "{plain}");
     assert!(plain.contains("bounds.time = 0.2 s: ") && plain.contains("nothing is written"), "{plain}");
     assert!(began.elapsed() < Duration::from_secs(30), "{:?}", began.elapsed());
@@ -28,10 +28,9 @@ fn the_time_of_the_scene_ends_it() {
 #[test]
 fn the_time_of_a_seta_ends_the_table_of_its_tips() {
     let dir = tempfile::tempdir().unwrap();
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/seta.toml");
     let sets = ["--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=1e-5", "--set", "bounds.time=0.5 s"];
-    let (status, _, trouble) = peel(dir.path(), &[&["run", scene, "--json"], &sets[..]].concat());
-    let plain = trouble.split_whitespace().collect::<Vec<_>>().join(" ");
+    let (status, _, trouble) = peel(dir.path(), &[&["run", &scene("seta"), "--json"], &sets[..]].concat());
+    let plain = plain(&trouble);
     assert_eq!(status, Some(3), "{plain}");
     assert!(plain.contains("the table of the tips of the seta: bounds.time = 0.5 s: "), "{plain}");
 }
@@ -58,7 +57,7 @@ fn a_signal_ends_it() {
             (output.status.code() == Some(3)).then(|| (String::from_utf8(output.stderr).unwrap(), left))
         });
         let (trouble, left) = ended.unwrap();
-        let plain = trouble.split_whitespace().collect::<Vec<_>>().join(" ");
+        let plain = plain(&trouble);
         assert!(plain.contains("interrupted: ") && plain.contains("nothing is written") && !left, "{plain}");
     }
 }

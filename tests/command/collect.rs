@@ -81,7 +81,7 @@ fn assert_same(a: &Path, b: &Path) {
 #[test]
 fn eight_parts_one_twice_and_one_late_make_the_whole() {
     let dir = tempdir().unwrap();
-    let (here, out) = (dir.path(), dir.path().join("out/strip-100nm-sweep-strip.length-accuracy.relative=1e-3"));
+    let (here, out) = (dir.path(), dir.path().join("out/strip-100nm-sweep-strip.length-accuracy.relative-1e-3"));
     sweep(here, &LENGTHS, &[]);
     let whole = here.join("whole");
     fs::rename(&out, &whole).unwrap();

@@ -8,21 +8,22 @@
 //! Expected: they lie in the intervals; terminal, summary.json and tables say one thing; parameters.toml is a scene with them; what cannot be
 //! fitted is refused before anything is computed, with what would be right.
 
+use crate::peel::{is_refused, refuses, run, scene};
 use serde_json::Value;
 use std::path::Path;
-use std::process::Command;
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes");
 
-fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
-    let plain = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), plain(output.stdout), plain(output.stderr))
+fn fit(dir: &Path, data: &str, more: &[&str]) -> (Option<i32>, String, String) {
+    run(dir, &[&["fit", &scene("strip-fit"), "--data", data, "--set", "accuracy.relative=1e-4"], more].concat())
 }
 
-fn fit(dir: &Path, data: &str, more: &[&str]) -> (Option<i32>, String, String) {
-    let scene = format!("{SCENES}/strip-fit.toml");
-    peel(dir, &[&["fit", &scene, "--data", data, "--set", "accuracy.relative=1e-4"], more].concat())
+/// A fit to this file with this text is refused.
+#[track_caller]
+fn fit_refuses((data, text): (&str, &str), more: &[&str], parts: &[&str]) {
+    let arguments = ["fit", &scene("strip-fit"), "--data", data, "--set", "accuracy.relative=1e-4"];
+    let files = [(data, text)];
+    refuses(if text.is_empty() { &[] } else { &files }, &[&arguments, more].concat(), parts);
 }
 
 #[test]
@@ -50,7 +51,7 @@ fn known_parameters_are_found_again() {
     assert!(folder.join("fit.svg").exists() && folder.join("fit.png").exists());
     // the scene that was found is fitted already
     let again = ["fit", "fit/parameters.toml", "--data", &format!("{SCENES}/strip-fit.csv"), "--json"];
-    let (status, text, trouble) = peel(dir.path(), &again);
+    let (status, text, trouble) = run(dir.path(), &again);
     assert_eq!(status, Some(0), "{trouble}");
     let again: Value = serde_json::from_str(&text).unwrap();
     for (row, other) in fitted.iter().zip(again["fitted"].as_array().unwrap()) {
@@ -66,14 +67,29 @@ const GOOD: &str = "u (nm),P (nN)\n0,0\n0.1,0.1\n0.2,0.2\n0.3,0.2\n1,0.1\n2,0.09
 
 #[test]
 fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
-    let dir = tempfile::tempdir().unwrap();
-    let data = |name: &str, text: &str| {
-        let path = dir.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.display().to_string()
-    };
     let cases: &[Case] = &[
-        (&[], "u (nm),t (s)\n0,0\n1,1\n", &["column `t (s)`", "displacement_nm,force_nN"]),
+        (
+            &[],
+            "u (nm),t (s)\n0,0\n1,1\n",
+            &["the columns u (nm), t (s), and none of forces", "displacement_nm,force_nN"],
+        ),
+        (&[], "u (nm),P (nN),Q (nN)\n0,0,0\n1,1,1\n", &["two columns of forces, `P (nN)` and `Q (nN)`", "fit.columns"]),
+        (&["--set", "fit.columns={force=\"F\"}"], GOOD, &["no column `F` of forces", "u (nm), P (nN)"]),
+        (&["--set", "fit.columns={force=\"P (mN)\"}"], GOOD, &["with another unit, `P (mN)`"]),
+        (
+            &["--set", "fit.columns={force=\"P\", displacement=\"x\"}"],
+            "x,P (nN)\n0,0\n1,1\n",
+            &["without a unit of displacements"],
+        ),
+        (&["--set", "fit.columns={load=\"P\"}"], GOOD, &["`load`, which is none of displacement, force, force_error"]),
+        (&["--set", "fit.displacement_error=nought"], GOOD, &["which is none of its values"]),
+        (&["--set", "fit.displacement_error=-1 nm"], GOOD, &["which is not above zero"]),
+        (&[], "grip.stiffness,P (nN)\n1,1\n2,2\n", &["whose key takes a unit", "grip.stiffness (N/m)"]),
+        (
+            &[],
+            "grip.stiffness (N/m),P (nN)\n1,1\n2,2\n",
+            &["`grip.stiffness` is to be fitted to steady forces", "Remove `grip.stiffness`"],
+        ),
         (&[], "u (nm),v (nm)\n0,0\n1,1\n", &["two columns of displacements"]),
         (&[], "u (nm),P error (nN)\n0,0\n1,1\n", &["none of forces"]),
         (&[], "u (nm),P (nN)\n0,0\n1,\n", &["in row 2 no `P (nN)`"]),
@@ -103,45 +119,89 @@ fn what_cannot_be_fitted_is_refused_with_what_would_be_right() {
         (&["--set", "friction.strength=20 MPa"], GOOD, &["friction"]),
     ];
     for (arguments, text, expected) in cases {
-        let (status, _, trouble) = fit(dir.path(), &data("curve.csv", text), arguments);
-        let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(status, Some(2), "{arguments:?} {text}: {trouble}");
-        for part in *expected {
-            assert!(plain.contains(part), "{arguments:?} {text}: {plain} lacks {part}");
-        }
+        fit_refuses(("curve.csv", text), arguments, expected);
     }
-    let no_data = fit(dir.path(), "nowhere.csv", &[]);
-    assert!(no_data.0 == Some(2) && no_data.2.contains("cannot be read"), "{no_data:?}");
-    assert!(!dir.path().join("out").exists());
+    fit_refuses(("nowhere.csv", ""), &[], &["cannot be read"]);
 }
 
 /// The most common mistake: numbers in nm and nN under the heading of µm and µN.
 #[test]
 fn a_wrong_unit_in_the_heading_is_refused_with_the_likely_one() {
-    let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
+    let parts = ["uN is written there and nN is meant", "um is written there and nm is meant"];
+    let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
-    let (status, text, trouble) = fit(dir.path(), "um.csv", &[]);
-    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!((status, text.as_str()), (Some(2), ""), "{trouble}");
-    for part in ["uN is written there and nN is meant", "um is written there and nm is meant"] {
-        assert!(plain.contains(part), "{plain}");
+    let with_zero = ["--set", "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]"];
+    for more in [&[][..], &with_zero] {
+        let fit = ["fit", &scene("strip-fit"), "--data", "um.csv", "--set", "accuracy.relative=1e-4"];
+        is_refused(dir.path(), &[&fit, more].concat(), &parts);
     }
 }
 
-/// Where the displacement zero is free, a search may go there and fit nothing.
+/// Where the displacement zero is free, a search may go there and fit nothing: here displacements are a hundred times too large.
 #[test]
 fn a_fit_beside_the_measured_points_says_so() {
     let dir = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(format!("{SCENES}/strip-fit.csv")).unwrap();
     let (_, rows) = text.split_once("force_nN\n").unwrap();
-    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_uN\n{rows}")).unwrap();
+    let row = |row: &str| {
+        let (displacement, force) = row.split_once(',').unwrap();
+        format!("{},{force}\n", 0.1 * displacement.parse::<f64>().unwrap())
+    };
+    let rows: String = rows.lines().map(row).collect();
+    std::fs::write(dir.path().join("um.csv"), format!("displacement_um,force_nN\n{rows}")).unwrap();
     let both = "fit.parameters=[\"adhesion.hamaker_constant\", \"fit.displacement_zero\"]";
     let (_, text, trouble) = fit(dir.path(), "um.csv", &["--set", both, "--out", "fit"]);
     assert!(text.contains("no measured point lies on the path of the model"), "{text}{trouble}");
     let summary = std::fs::read_to_string(dir.path().join("fit/summary.json")).unwrap();
     assert!(summary.contains("\"none-on-path\"") && !summary.contains("\"before-start\""), "{summary}");
+}
+
+/// scenes/tape-record.csv is as a machine writes it, with numbers that are known.
+#[test]
+fn the_record_of_a_machine_is_read_and_fitted_as_it_is() {
+    let dir = tempfile::tempdir().unwrap();
+    let (scene, record) = (format!("{SCENES}/tape-record.toml"), format!("{SCENES}/tape-record.csv"));
+    let (status, text, trouble) = peel(dir.path(), &["fit", &scene, "--data", &record, "--json"]);
+    assert_eq!(status, Some(0), "{trouble}");
+    let summary: Value = serde_json::from_str(&text).unwrap();
+    let number = |value: &Value| value.as_f64().unwrap();
+    let fitted = summary["fitted"].as_array().unwrap();
+    for (row, known) in fitted.iter().zip([120.0, 8e-4, 2e4, 8e5, 1.5e8]) {
+        let (low, high) = (number(&row["interval"][0]), number(&row["interval"][1]));
+        assert!(low < known && known < high, "{row}");
+    }
+    let data = &summary["data"];
+    assert!((number(&data["estimated_error_nN"]) / 2e7 - 1.0).abs() < 0.3, "{data}");
+    assert!((number(&data["estimated_displacement_error_nm"]) / 5e3 - 1.0).abs() < 0.5, "{data}");
+}
+
+/// The steady force of a tape that slides solves P (1 - cos α) + P² sin² α/2EA = w b: forces of 100 J/m² at three angles, in the unit of the trade.
+#[test]
+fn steady_forces_against_an_angle_are_fitted() {
+    let dir = tempfile::tempdir().unwrap();
+    let (axial, width) = (2e9 * 50e-6 * 20e-3, 20e-3);
+    let force = |angle: f64| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let (a, b) = (sin * sin / (2.0 * axial), 1.0 - cos);
+        (-b + (b * b + 4.0 * a * 100.0 * width).sqrt()) / (2.0 * a)
+    };
+    let row = |angle: f64| format!("{angle},{}\n", force(angle) / width / 40.0);
+    let rows: String = [75.0, 90.0, 90.0, 120.0].map(row).concat();
+    std::fs::write(dir.path().join("steady.csv"), format!("drive.angle (deg),force (N/25mm)\n{rows}")).unwrap();
+    let scene = format!("{SCENES}/tape.toml");
+    let set = ["path.until=end", "fit.parameters=[\"adhesion.work\"]", "adhesion.work=130 J/m2", "strip.length=10 mm"];
+    let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
+    let data = ["fit", &scene, "--data", "steady.csv", "--out", "fit", "--set", "bounds.displacement=9 mm"];
+    let (status, text, trouble) = peel(dir.path(), &[&data[..], &set].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    assert!(text.contains("4 steady forces against drive.angle of steady.csv"), "{text}");
+    let summary: Value = serde_json::from_slice(&std::fs::read(dir.path().join("fit/summary.json")).unwrap()).unwrap();
+    let work = summary["fitted"][0]["value"].as_f64().unwrap();
+    assert!((work / 100.0 - 1.0).abs() < 1e-4, "{work}");
+    let table = std::fs::read_to_string(dir.path().join("fit/fit.csv")).unwrap();
+    assert!(table.starts_with("key,value,force_nN,modelled_nN"), "{table}");
 }
 
 /// A law with a work of adhesion and a strength of its own takes nothing from the half space.
@@ -155,8 +215,7 @@ fn a_parameter_without_influence_is_refused() {
         "fit.parameters=[\"adhesion.work\", \"adhesion.hamaker_constant\"]",
     ];
     let set: Vec<&str> = set.iter().flat_map(|text| ["--set", text]).collect();
-    let (status, _, trouble) = fit(dir.path(), &format!("{SCENES}/strip-fit.csv"), &set);
-    let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(status, Some(2), "{trouble}");
-    assert!(plain.contains("adhesion.hamaker_constant") && plain.contains("no influence"), "{plain}");
+    let (scene, data) = (scene("strip-fit"), format!("{SCENES}/strip-fit.csv"));
+    let arguments = [&["fit", &scene, "--data", &data, "--set", "accuracy.relative=1e-4"], &set[..]].concat();
+    is_refused(dir.path(), &arguments, &["adhesion.hamaker_constant", "no influence"]);
 }

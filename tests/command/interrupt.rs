@@ -202,3 +202,30 @@ fn a_folder_that_cannot_be_written_is_told_before_anything_is_computed() {
     assert_eq!((output.status.code(), stdout.as_str()), (Some(1), ""));
     assert!(stderr.contains("cannot write out: "), "{stderr}");
 }
+
+/// The whole results of a sweep are not given up for those of the same sweep that is stopped.
+#[test]
+fn an_interrupted_second_sweep_keeps_the_files_of_the_first() {
+    if signals_are_ignored() {
+        return;
+    }
+    let dir = tempdir().unwrap();
+    finish(dir.path(), "1", &[]);
+    for _ in 0..10 {
+        let mut child = sweep(dir.path(), "1", &[]).spawn().unwrap();
+        wait_for("three values", || kept(dir.path()) >= 3 || child.try_wait().unwrap().is_some());
+        signal(&child, "INT");
+        let output = child.wait_with_output().unwrap();
+        let (stdout, _) = texts(&output);
+        if output.status.code() == Some(0) {
+            continue;
+        }
+        assert_eq!(output.status.code(), Some(3));
+        assert!(stdout.contains("out keeps the files of before") && kept(dir.path()) >= 3, "{stdout}");
+        assert_eq!(table(dir.path()), reference());
+        // and goes on from what it has kept
+        finish(dir.path(), "1", &[]);
+        return;
+    }
+    panic!("the sweep was over before the signal came, ten times");
+}

@@ -14,6 +14,7 @@ mod observed;
 mod optimise;
 mod out_of_plane;
 mod output_folders;
+mod peel;
 mod plot;
 mod pull;
 mod resume;
@@ -26,6 +27,7 @@ mod seta_pressed;
 #[cfg(unix)]
 mod seta_table;
 mod space;
+mod solid;
 mod stations;
 mod statuses;
 mod steps;

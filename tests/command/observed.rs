@@ -1,5 +1,6 @@
 //! `peel run --observed`.
 
+use crate::peel;
 use serde_json::Value;
 use std::process::Command;
 
@@ -12,13 +13,7 @@ fn assert_close(what: &str, found: f64, expected: f64, relative: f64) {
 #[test]
 fn the_command_writes_what_a_test_would_record() {
     let dir = tempfile::tempdir().unwrap();
-    let scene = format!("{}/../../scenes/strip-100nm.toml", env!("CARGO_MANIFEST_DIR"));
-    let run = |more: &[&str]| {
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir.path()).args(["run", &scene]).args(more).output();
-        let output = output.unwrap();
-        (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
-    };
+    let run = |more: &[&str]| peel::run(dir.path(), &[&["run", &peel::scene("strip-100nm")], more].concat());
     let grip = ["--set", "grip.rotation=fixed", "--set", "grip.stiffness=50 mN/m"];
     let (status, plain, _) = run(&[&grip[..], &["--json", "--out", "plain"]].concat());
     assert_eq!(status, Some(0));
@@ -53,9 +48,8 @@ fn the_command_writes_what_a_test_would_record() {
         assert!(dir.path().join("test").join(picture).metadata().unwrap().len() > 10_000);
     }
 
-    let (status, _, trouble) = run(&["--set", "adhesion.line_load=force-only", "--observed"]);
-    assert_eq!(status, Some(2));
-    assert!(trouble.contains("no potential"), "{trouble}");
+    let no_potential = ["run", &peel::scene("strip-100nm"), "--set", "adhesion.line_load=force-only", "--observed"];
+    peel::refuses(&[], &no_potential, &["no potential"]);
 }
 
 /// Runs the test of a strip of length, height (nm), Young's modulus (GPa), Hamaker constant (J), equilibrium distance (nm), pulled at so many degrees, at a

@@ -4,14 +4,16 @@
 //! summary.json, the column of curve.csv and the mark of the picture say one thing; a scene for which it is not
 //! computed is refused before anything is. Why: the user is to read it first.
 
+use crate::peel;
 use serde_json::Value;
-use std::process::Command;
 
 fn run(dir: &std::path::Path, more: &[&str]) -> (Option<i32>, String, String) {
-    let scene = format!("{}/../../scenes/strip-100nm.toml", env!("CARGO_MANIFEST_DIR"));
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(["run", &scene]).args(more).output();
-    let output = output.unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    peel::run(dir, &[&["run", &peel::scene("strip-100nm")], more].concat())
+}
+
+#[track_caller]
+fn refuses(more: &[&str], parts: &[&str]) {
+    peel::refuses(&[], &[&["run", &peel::scene("strip-100nm")], more].concat(), parts);
 }
 
 #[test]
@@ -52,17 +54,12 @@ fn a_path_that_stays_in_its_plane_is_null() {
 
 #[test]
 fn scenes_that_it_does_not_cover_are_refused() {
-    let dir = tempfile::tempdir().unwrap();
     for (key, why) in [
         ("grip.rotation=fixed", "grip.rotation is \"fixed\""),
         ("adhesion.line_load=force-only", "the load has no potential"),
     ] {
-        let (status, _, trouble) = run(dir.path(), &["--out-of-plane", "--set", key]);
-        assert_eq!(status, Some(2));
-        let plain = trouble.replace("\n", " ").replace("│", " ").split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(plain.contains(why) && plain.contains("Omit --out-of-plane"), "{trouble}");
+        refuses(&["--out-of-plane", "--set", key], &[why, "Omit --out-of-plane"]);
     }
-    assert!(!dir.path().join("out").exists());
 }
 
 /// Reference of its peak and its first jump: verification/out_of_plane_branch.csv, collocation in space.
@@ -79,7 +76,7 @@ fn the_command_follows_the_branch() {
     }
     assert!(lines[1].contains("to larger u, stable under displacement control"), "{}", lines[1]);
     assert!(lines[4].contains("back-in-plane: the strip has come back into its plane"), "{}", lines[4]);
-    let folder = dir.path().join("out/strip-100nm-branch-strip.width=40nm");
+    let folder = dir.path().join("out/strip-100nm-branch-strip.width-40nm");
     let read = |file: &str| std::fs::read_to_string(folder.join(file)).unwrap();
     let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
     let branch = &summary["out_of_plane"]["branch"];
@@ -119,17 +116,13 @@ fn a_branch_that_there_is_not_is_null() {
 
 #[test]
 fn a_branch_that_is_not_computed_is_refused() {
+    let held = "the branch out of the plane is not followed: grip.rotation is \"fixed\"";
+    refuses(&["--branch", "--set", "grip.rotation=fixed"], &[held, "Omit --branch"]);
     let dir = tempfile::tempdir().unwrap();
-    let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "grip.rotation=fixed"]);
-    let plain = trouble.replace("\n", " ").replace("│", " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert_eq!(status, Some(2));
-    assert!(plain.contains("the branch out of the plane is not followed: grip.rotation is \"fixed\""), "{trouble}");
-    assert!(plain.contains("Omit --branch"), "{trouble}");
     // a strip that falls over at rest: its path is written, and has no branch
     let (status, _, trouble) = run(dir.path(), &["--branch", "--set", "strip.width=0.15 nm"]);
     assert_eq!(status, Some(3));
-    let plain = trouble.replace("\n", " ").replace("│", " ").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(plain.contains("unstable out of the plane from its beginning on"), "{trouble}");
-    assert!(dir.path().join("out/strip-100nm-branch-strip.width=0.15nm/summary.json").exists());
-    assert!(!dir.path().join("out/strip-100nm-branch-strip.width=0.15nm/branch.csv").exists());
+    assert!(peel::plain(&trouble).contains("unstable out of the plane from its beginning on"), "{trouble}");
+    assert!(dir.path().join("out/strip-100nm-branch-strip.width-0.15nm/summary.json").exists());
+    assert!(!dir.path().join("out/strip-100nm-branch-strip.width-0.15nm/branch.csv").exists());
 }

@@ -111,12 +111,25 @@ fn a_folder_that_is_not_empty_is_refused_before_anything_is_computed() {
     assert_eq!(fs::read(dir.path().join("out/summary.json")).unwrap(), b"mine");
 }
 
+/// A scene that is edited and run again; what another command or a person has put there is not touched.
 #[test]
-fn the_same_run_a_second_time_is_refused_and_forced() {
+fn the_same_command_a_second_time_replaces_its_files() {
     let dir = tempdir().unwrap();
-    done(dir.path(), &["run", SCENE]);
-    refused(dir.path(), &["run", SCENE], 2, &["out/strip-100nm exists"]);
-    done(dir.path(), &["run", SCENE, "--force"]);
+    let scene = dir.path().join("mine.toml");
+    let text = fs::read_to_string(SCENE).unwrap();
+    fs::write(&scene, &text).unwrap();
+    let summary = || fs::read_to_string(dir.path().join("out/mine/summary.json")).unwrap();
+    done(dir.path(), &["run", "mine.toml"]);
+    let before = summary();
+    fs::write(&scene, text.replace("\"10 nm\"", "\"9 nm\"")).unwrap();
+    done(dir.path(), &["run", "mine.toml"]);
+    assert_ne!(summary(), before);
+    fs::write(dir.path().join("out/mine/notes.txt"), "mine").unwrap();
+    done(dir.path(), &["run", "mine.toml", "--force"]);
+    done(dir.path(), &["run", "mine.toml"]);
+    assert_eq!(fs::read(dir.path().join("out/mine/notes.txt")).unwrap(), b"mine");
+    refused(dir.path(), &["run", SCENE, "--out", "out/mine"], 2, &["out/mine exists", "--force"]);
+    refused(dir.path(), &["run", "mine.toml", "--observed", "--out", "out/mine"], 2, &["out/mine exists"]);
 }
 
 #[test]
@@ -141,11 +154,11 @@ fn different_commands_have_different_folders() {
     let roughly = ["--set", "accuracy.relative=1e-3"];
     let sweep = ["sweep", SCENE, "--vary", "strip.length", "--values", "90 nm,100 nm"];
     for (command, folder) in [
-        (vec!["run", SCENE], "strip-100nm-accuracy.relative=1e-3"),
-        (vec!["run", SCENE, "--set", "strip.height=9 nm"], "strip-100nm-strip.height=9nm-accuracy.relative=1e-3"),
-        (vec!["run", SCENE, "--states", "2"], "strip-100nm-states=2-accuracy.relative=1e-3"),
-        (sweep.to_vec(), "strip-100nm-sweep-strip.length-accuracy.relative=1e-3"),
-        ([&sweep[..], &["--peak-only"]].concat(), "strip-100nm-sweep-strip.length-follow-peak-accuracy.relative=1e-3"),
+        (vec!["run", SCENE], "strip-100nm-accuracy.relative-1e-3"),
+        (vec!["run", SCENE, "--set", "strip.height=9 nm"], "strip-100nm-strip.height-9nm-accuracy.relative-1e-3"),
+        (vec!["run", SCENE, "--states", "2"], "strip-100nm-states-2-accuracy.relative-1e-3"),
+        (sweep.to_vec(), "strip-100nm-sweep-strip.length-accuracy.relative-1e-3"),
+        ([&sweep[..], &["--peak-only"]].concat(), "strip-100nm-sweep-strip.length-follow-peak-accuracy.relative-1e-3"),
     ] {
         let said = done(dir.path(), &[&command[..], &roughly].concat());
         assert!(said.contains(&format!("wrote out/{folder}/")), "{said}");
@@ -154,15 +167,14 @@ fn different_commands_have_different_folders() {
 }
 
 #[test]
-fn a_finished_sweep_is_refused_and_its_folder_can_be_forced() {
+fn a_finished_sweep_is_replaced_by_the_same_one_and_no_other() {
     let dir = tempdir().unwrap();
     let sweep = ["sweep", SCENE, "--vary", "strip.length", "--from", "90 nm", "--to", "100 nm", "--points", "2"];
     let with = |more: &[&'static str]| [&sweep[..], more].concat();
-    done(dir.path(), &sweep);
-    for again in [with(&[]), with(&["--fresh"])] {
-        refused(dir.path(), &again, 2, &["out/strip-100nm-sweep-strip.length exists", "--force"]);
+    for more in [&[][..], &[], &["--fresh"], &["--force"]] {
+        done(dir.path(), &with(more));
     }
-    done(dir.path(), &with(&["--force"]));
+    refused(dir.path(), &with(&["--log"]), 2, &["out/strip-100nm-sweep-strip.length exists", "--force"]);
     let files = ["parameters.toml", "sweep.csv", "sweep.png", "sweep.svg"];
     assert_eq!(listing(&dir.path().join("out/strip-100nm-sweep-strip.length")), files);
 }

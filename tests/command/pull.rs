@@ -1,5 +1,6 @@
 //! Pulls in any direction, swept and refused.
 
+use crate::peel::refuses;
 use serde_json::Value;
 use std::process::Command;
 
@@ -26,10 +27,6 @@ fn the_peak_is_followed_from_forwards_to_backwards() {
 #[test]
 fn a_strip_is_not_pulled_along_itself() {
     for angle in ["0 deg", "180 deg"] {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_peel"));
-        let output = command.args(["run", SCENE, "--json", "--set", &format!("drive.angle={angle}")]).output().unwrap();
-        let told = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{told}");
-        assert!(told.contains("along the strip"), "{told}");
+        refuses(&[], &["run", SCENE, "--json", "--set", &format!("drive.angle={angle}")], &["along the strip"]);
     }
 }

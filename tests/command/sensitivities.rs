@@ -3,18 +3,11 @@
 //! Reference: dimensional analysis, P ~ E^a A_H^(1-a); the width multiplies every force. Expected: terminal, summary.json and picture say one
 //! thing, largest first; a scene that has none is refused before anything is computed.
 
+use crate::peel;
 use serde_json::Value;
-use std::process::Command;
 
 fn run(dir: &std::path::Path, scene: &str, more: &[&str]) -> (Option<i32>, String, String) {
-    let scene = format!("{}/../../scenes/{scene}.toml", env!("CARGO_MANIFEST_DIR"));
-    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
-        .current_dir(dir)
-        .args(["run", &scene, "--sensitivities"])
-        .args(more)
-        .output()
-        .unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    peel::run(dir, &[&["run", &peel::scene(scene), "--sensitivities"], more].concat())
 }
 
 #[test]
@@ -47,12 +40,7 @@ fn the_cells_of_a_table_are_parameters() {
     let scene = "[profile]\ntable = \"beam.csv\"\nyoungs_modulus = \"2 GPa\"\n[adhesion]\nhamaker_constant = \"1e-19 J\"\n\
                  equilibrium_distance = \"0.4 nm\"\n[accuracy]\nrelative = 1e-4\n";
     std::fs::write(dir.path().join("beam.toml"), scene).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
-        .current_dir(dir.path())
-        .args(["run", "beam.toml", "--sensitivities", "--json"])
-        .output()
-        .unwrap();
-    let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let summary = peel::json(dir.path(), &["run", "beam.toml", "--sensitivities"]);
     let rows = summary["sensitivities"].as_array().unwrap();
     let widths = rows.iter().filter(|row| {
         row["of"] == "initiation_peak.force_nN" && row["key"].as_str().unwrap().starts_with("profile.table.width_nm")
@@ -64,14 +52,10 @@ fn the_cells_of_a_table_are_parameters() {
 
 #[test]
 fn scenes_without_them_are_refused() {
-    let dir = tempfile::tempdir().unwrap();
     let auto: &[&str] = &["--set", "terms=auto"];
     for (scene, more, why) in [("strip-friction", &[][..], "with friction"), ("strip-100nm", auto, "terms = \"auto\"")]
     {
-        let (status, _, trouble) = run(dir.path(), scene, more);
-        let plain = trouble.replace(['\n', '│'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!(status, Some(2), "{trouble}");
-        assert!(plain.contains(why) && plain.contains("Omit --sensitivities"), "{plain}");
+        let scene = peel::scene(scene);
+        peel::refuses(&[], &[&["run", &scene, "--sensitivities"], more].concat(), &[why, "Omit --sensitivities"]);
     }
-    assert!(!dir.path().join("out").exists());
 }

@@ -6,10 +6,9 @@
 //! what was released; an option without a meaning is refused, every command that computes single beams refuses the scene with its line; a row of a sweep and a sample are what `peel run` gives. Why: a scene of a
 //! seta that some command takes for that of one spatula would give a number that means something else.
 
+use crate::peel::{refuses, run};
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::Command;
 
 /// Four tips on branches of 0.09 µm.
 pub const SMALL: [&str; 12] = [
@@ -32,13 +31,6 @@ const UPRIGHT: [&str; 2] = ["--set", "seta.shaft_angle=30 deg"];
 
 fn scene() -> String {
     format!("{}/../../scenes/seta.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-/// Exit status, text and trouble of a command in a folder.
-pub fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(folder).args(arguments).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
 }
 
 #[test]
@@ -181,30 +173,18 @@ fn an_uncertain_seta_is_sampled() {
 
 #[test]
 fn what_has_no_meaning_is_refused() {
-    let dir = tempfile::tempdir().unwrap();
     for option in ["--observed", "--out-of-plane", "--branch", "--sensitivities"] {
-        let (status, _, trouble) = run(dir.path(), &["run", &scene(), option]);
-        assert_eq!(status, Some(2), "{trouble}");
-        assert!(trouble.contains(&format!("{option} has no meaning for a seta")), "{trouble}");
+        refuses(&[], &["run", &scene(), option], &[&format!("{option} has no meaning for a seta")]);
     }
     let vary = ["--vary", "seta.forks", "--values", "1, 2"];
     for (option, told) in [
         (&["--peak-only"][..], "have no meaning for a seta"),
         (&["--part", "1/2"], "--part divides sweeps of single beams"),
     ] {
-        let (status, _, trouble) = run(dir.path(), &[&["sweep", &scene()], &vary[..], option].concat());
-        assert_eq!(status, Some(2), "{trouble}");
-        assert!(trouble.contains(told), "{trouble}");
+        refuses(&[], &[&["sweep", &scene()], &vary[..], option].concat(), &[told]);
     }
-    for command in [&["coarsen"][..], &["accuracy"]] {
-        let (status, _, trouble) = run(dir.path(), &[&[command[0], &scene()], &command[1..]].concat());
-        assert_eq!(status, Some(2), "{command:?}: {trouble}");
-        assert!(
-            trouble.contains(
-                "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute"
-            ),
-            "{command:?}: {trouble}"
-        );
+    for command in ["coarsen", "accuracy"] {
+        let told = "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute";
+        refuses(&[], &[command, &scene()], &[told]);
     }
-    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }

@@ -11,7 +11,7 @@
 //! Expected: exit status 0; the peak is that of the reference, as all tips are back within the table there; the warning says how many were outside, how
 //! deep and in which steps. Why: what happens deep below is not known, and the peak is all the same.
 
-use crate::seta::run as peel;
+use crate::peel::run as peel;
 use serde_json::Value;
 use tempfile::tempdir;
 

@@ -10,7 +10,7 @@
 //! many tips left the table and what that changed, and how many were solved as spatulae and what that changed; the table of another spatula, one with too large an error and one of a pad that is held are
 //! refused by name; a run that is stopped and goes on writes the same numbers.
 
-use crate::seta::run as peel;
+use crate::peel::run as peel;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

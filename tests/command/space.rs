@@ -4,6 +4,7 @@
 //! solution stays there. Why: what is pulled sideways is another structure, and the summary has to say which one was
 //! computed.
 
+use crate::peel::refuses;
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -176,7 +177,6 @@ fn a_test_in_space_is_recorded() {
 
 #[test]
 fn what_is_not_computed_in_space_is_refused_by_name() {
-    let empty = tempfile::tempdir().unwrap();
     let rolled = SIDEWAYS.replace("sideways", "rolled");
     for (arguments, says) in [
         (vec!["run", &rolled, "--observed"], "drive.steps has steps before the pull; the test has to begin at rest"),
@@ -185,9 +185,6 @@ fn what_is_not_computed_in_space_is_refused_by_name() {
             "--follow computes a limit point from rest only, and drive.steps has steps before the pull",
         ),
     ] {
-        let output = Command::new(env!("CARGO_BIN_EXE_peel")).args(&arguments).current_dir(&empty).output().unwrap();
-        let told = String::from_utf8_lossy(&output.stderr).split_whitespace().collect::<Vec<_>>().join(" ");
-        assert_eq!((output.status.code(), told.contains(says)), (Some(2), true), "{told}");
-        assert_eq!(std::fs::read_dir(&empty).unwrap().count(), 0, "refused before anything is computed: {arguments:?}");
+        refuses(&[], &arguments, &[says]);
     }
 }

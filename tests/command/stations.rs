@@ -5,6 +5,7 @@
 //! Expected: the same numbers from the command line, from the scene and from the scene that the run has written; a value that the path does not pass
 //! is told with the range of those that it passes, and is no failure.
 
+use crate::peel::refuses;
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -84,9 +85,6 @@ fn what_is_no_station_is_refused() {
         (STRIP, "P=3 nm", "--at is `force` = \"3 nm\", which is not a force with its unit"),
         (SETA, "u=3 nm", "--at is given, and the scene has a [seta] or a [time]"),
     ] {
-        let output = peel(&["run", scene, "--at", at, "--json"]);
-        let error = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(2), "{at}: {error}");
-        assert!(error.contains(message), "{error}");
+        refuses(&[], &["run", scene, "--at", at, "--json"], &[message]);
     }
 }

@@ -1,5 +1,6 @@
 //! Steps before the pull, reported and refused.
 
+use crate::peel::refuses;
 use crate::strip::{paper_strip, with_grip};
 use peelkit::model::{Hold, PeelModel, Pull, Step};
 use peelkit::study::{Accuracy, NoTest, StopCriteria, observed};
@@ -89,10 +90,7 @@ fn what_does_not_fit_is_refused_by_name() {
         let sets = sets.iter().flat_map(|set| ["--set", set]);
         let args: Vec<&str> =
             [command[0], SCENE, "--json"].into_iter().chain(sets).chain(command[1..].to_vec()).collect();
-        let (code, _, told) = run(&args);
-        assert_eq!(code, Some(2), "{args:?}: {told}");
-        let told = told.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-        parts.iter().for_each(|part| assert!(told.contains(part), "{part} is not in {told}"));
+        refuses(&[], &args, &parts);
     }
     let turning = &turning()[2];
     assert_eq!(observed(turning, &Accuracy::to(1e-6), &BOUNDS).err(), Some(NoTest::Turn));

@@ -7,22 +7,15 @@
 //! those of `peel run`, to the last digit where they are the same computation; what a computation costs is told before the others; the summary says
 //! which errors have no bound; what such a scene does not have is refused with what it has. Why: a number of a study that is no number of a run is none.
 
+use crate::peel::{refuses, run as peel};
 use serde_json::Value;
 use std::path::Path;
-use std::process::Command;
 
 const SETA: &str = "[seta]\nforks = 1\nshaft_diameter = \"2 um\"\n[spatula]\n[accuracy]\nrelative = 1e-4\n";
 const RATE: &str = "[strip]\nlength = \"40 nm\"\nheight = \"10 nm\"\nyoungs_modulus = \"2 GPa\"\n[time]\nrate = \"10 mm/s\"\n\
                     density = \"1300 kg/m3\"\nmaterial = \"kelvin-voigt\"\nretardation_time = \"0.1 us\"\ndisplacement = \"6 nm\"\ntolerance = 1e-3\n\
                     [accuracy]\nelements = 12\n";
 const ADHESION: &str = "[adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n";
-
-/// Status, what it printed, and what it said beside.
-fn peel(dir: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_peel")).current_dir(dir).args(arguments).output().unwrap();
-    let plain = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), plain(output.stdout), plain(output.stderr))
-}
 
 /// The object that a command prints which ends well.
 #[track_caller]
@@ -173,9 +166,6 @@ fn what_a_pull_does_not_have_is_refused_with_what_it_has() {
         (RATE, &quick, "optimise", "a pull at a rate has no derivatives"),
     ];
     for (text, table, command, says) in cases {
-        let dir = scene(text, table);
-        let (status, _, beside) = peel(dir.path(), &[command, "a.toml"]);
-        let plain = beside.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>().join(" ");
-        assert!(status == Some(2) && plain.contains(says), "{status:?} {beside}");
+        refuses(&[("a.toml", &format!("{text}{ADHESION}{table}"))], &[command, "a.toml"], &[says]);
     }
 }

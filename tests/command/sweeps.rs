@@ -186,7 +186,7 @@ fn the_printed_units_fit_or_are_those_that_are_wanted() {
     assert!(wanted.contains(" µm, work to there 3470.") && wanted.contains(" zJ"), "{wanted}");
     let wide = printed(&["--set", "strip.width=1 mm"]);
     assert!(wide.contains("  peak force         341.12") && wide.contains(" µN at u = 0.24960"), "{wide}");
-    let table = fs::read_to_string(dir.path().join("out/strip-100nm-accuracy.relative=1e-3/summary.json")).unwrap();
+    let table = fs::read_to_string(dir.path().join("out/strip-100nm-accuracy.relative-1e-3/summary.json")).unwrap();
     assert!(table.contains("\"force_nN\": 0.341"), "files keep their units");
     refused(dir.path(), &["run", SCENE, "--units", "lbf"], "--units lbf is no unit of the summary");
 }

@@ -1,7 +1,7 @@
 //! The table [fit]: what it holds, how it is written, and what is refused, by key and with what would be right.
 
 use crate::text::assert_refused;
-use peelkit::study::{FitParameter, Loss, ParameterOf, ProfileChoice};
+use peelkit::study::{DisplacementError, FitParameter, Loss, ParameterOf, ProfileChoice};
 use peelkit_scene::{Scene, SceneError};
 
 const SCENE: &str = r#"
@@ -42,12 +42,38 @@ fn parameters_are_read_in_the_units_of_the_library() {
     let table = scene.fit.as_ref().unwrap();
     let near = |found: Option<f64>, expected: f64| found.is_some_and(|found| (found - expected).abs() < 1e-15);
     assert!(
-        near(table.options.force_error, 2e-3) && near(table.options.displacement_error, 0.01) && near(table.jump, 3.0)
+        near(table.options.force_error, 2e-3)
+            && table.options.displacement_error == DisplacementError::Known(0.01)
+            && near(table.jump, 3.0)
     );
     assert_eq!((table.options.loss, table.options.profile), (Loss::Huber, ProfileChoice::All));
     assert!(!table.options.use_jump);
     // written and read again it is the same
     assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+}
+
+#[test]
+fn columns_zeros_and_errors_are_read_and_written() {
+    let scene = with(
+        r#"
+        parameters = ["strip.height", "fit.force_zero"]
+        columns = { displacement = "Extension", force = "Load (N)" }
+        force_zero = "-0.2 mN"
+        displacement_error = "none"
+        "#,
+    )
+    .unwrap();
+    let table = scene.fit.as_ref().unwrap();
+    let columns = &table.columns;
+    assert_eq!((columns.displacement.as_deref(), columns.force.as_deref()), (Some("Extension"), Some("Load (N)")));
+    assert_eq!(table.options.displacement_error, DisplacementError::None);
+    let parameter = &scene.fit_parameters().unwrap()[1];
+    assert_eq!((parameter.of, parameter.initial), (ParameterOf::ForceZero, -2e5));
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    assert_refused(
+        with("parameters = [\"strip.height\"]\ncolumns = { x = \"u\" }"),
+        &["`x`, which is none of displacement"],
+    );
 }
 
 #[test]
@@ -82,7 +108,8 @@ fn tables_of_a_key_and_its_bounds_are_refused_as_texts_are() {
 fn what_is_left_out_has_its_default() {
     let scene = with_parameters("\"strip.height\"").unwrap();
     let table = scene.fit.as_ref().unwrap();
-    assert_eq!((table.options.force_error, table.options.displacement_error, table.jump), (None, None, None));
+    assert_eq!((table.options.force_error, table.jump), (None, None));
+    assert_eq!(table.options.displacement_error, DisplacementError::Estimated);
     assert_eq!((table.options.loss, table.options.profile), (Loss::Squares, ProfileChoice::Poor));
     let plain = Scene::parse("a.toml", SCENE, &[]).unwrap();
     assert!(plain.fit.is_none() && !plain.to_toml().contains("fit") && plain.fit_parameters().unwrap().is_empty());

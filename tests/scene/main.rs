@@ -14,6 +14,7 @@ mod rate;
 mod reading;
 mod ready_scenes;
 mod seta;
+mod solid;
 mod space;
 mod steps;
 #[path = "../shared/strip.rs"]

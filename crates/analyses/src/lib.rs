@@ -15,6 +15,7 @@ mod rate;
 mod run;
 mod session;
 mod seta;
+mod solid;
 mod sweep;
 mod uncertainty;
 
@@ -24,6 +25,7 @@ pub use optimise::{Optimisation, OptimisationOutcome};
 pub use outcome::{Analysis, End, Outcome, Refusal};
 pub use run::{
     Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
+    SolidOutcome, SolidRun,
 };
 pub use session::{Cost, Keeping, Nobody, Parts, Progress, Session, Watcher};
 pub use sweep::{Axis, Case, Cases, Rows, SceneRows, Sweep, SweepOutcome, place};

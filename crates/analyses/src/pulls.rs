@@ -1,12 +1,15 @@
-//! Numbers and curves of scenes that are no peel of a beam in equilibrium: the pull-off of a seta, and a pull at a rate, of a beam or of a seta. Who
+//! Numbers and curves of scenes that are no peel of a beam in equilibrium: the peel of a solid, the pull-off of a seta, and a pull at a rate, of a beam or of a seta. Who
 //! samples, optimises or fits such scenes asks here, and does not ask which of these they are.
 
 use crate::rate::pull_at_rate;
 use crate::session::{Cost, Parts, Progress, Session};
 use crate::seta::Setae;
+use crate::solid::peeled;
 use peelkit::study::uncertainty::{Outcome, Sampled};
-use peelkit::study::{Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, Stage, StopCriteria, StopReason};
-use peelkit_report::{PulledAtRate, RateResult, seta_end_reason, timed};
+use peelkit::study::{
+    Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, SolidPathEnd, SolidPeel, Stage, StopCriteria, StopReason,
+};
+use peelkit_report::{PulledAtRate, RateResult, SolidResult, seta_end_reason, timed};
 use peelkit_scene::{Described, Scene, UncertaintyTable};
 use std::sync::OnceLock;
 
@@ -35,6 +38,7 @@ impl Pulls {
     pub fn like(scene: &Scene) -> Option<Self> {
         let what = match scene.describes() {
             Described::Rate(..) => "pulls at a rate",
+            Described::Solid(_) => "peels of a solid",
             Described::Seta(_) => "pull-offs of a seta",
             Described::Peel => return None,
         };
@@ -58,6 +62,14 @@ impl Pulls {
                 let peak = whole.then_some((found.largest_force, found.displacement, None));
                 Ok(Pulled { peak, work: whole.then_some(found.work), curve })
             }
+            Described::Solid(table) => {
+                let peel =
+                    peeled(scene, &scene.solid_settings(table), stop.clone()).map_err(|error| error.to_string())?;
+                let found = SolidResult::from(&peel);
+                let curve = of_solid(&peel);
+                let peak = found.peak.filter(|_| curve.short.is_none());
+                Ok(Pulled { peak: peak.map(|at| (at.force, at.displacement, at.error)), work: None, curve })
+            }
             Described::Seta(table) => {
                 let (pull_off, found) = self.setae.pulled_off(scene, table, stop)?;
                 let whole = !found.end.is_cut_short();
@@ -79,6 +91,10 @@ impl Pulls {
             Described::Rate(table, seta) => {
                 let (pulled, failed) = pull_at_rate(scene, (table, seta), &self.setae, stop)?;
                 Ok(at_rate(&pulled, failed, stop))
+            }
+            Described::Solid(table) => {
+                let peel = peeled(scene, &scene.solid_settings(table), stop.clone());
+                Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
             Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
             Described::Peel => Err(A_PEEL.to_owned()),
@@ -114,6 +130,19 @@ fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
     curve.detached = lost.map(|point| point.displacement);
     curve.short = seta_end_reason(&pull_off.end);
     curve.interrupted = matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+    curve
+}
+
+fn of_solid(peel: &SolidPeel) -> PulledCurve {
+    let mut curve = PulledCurve::of(peel.points.iter().map(|at| (at.displacement, at.force)));
+    let is_off = peel.end == SolidPathEnd::Detached;
+    curve.detached = peel.points.last().filter(|_| is_off).map(|last| last.displacement);
+    curve.short = match &peel.end {
+        SolidPathEnd::Bound(bound) => Some(bound.to_string()),
+        SolidPathEnd::Failed(error) => Some(error.to_string()),
+        _ => None,
+    };
+    curve.interrupted = matches!(peel.end, SolidPathEnd::Bound(Bound::Interrupted));
     curve
 }
 

@@ -66,6 +66,7 @@ impl Drive<'_> {
             Some(answer) => Interrupt::listen(bar.above(answer)),
             None => Interrupt::deaf(),
         };
+        let before = folder.as_ref().filter(|folder| out.is_again(folder, analysis.journal()));
         let output = folder.as_ref().map(|folder| out.claim(folder, analysis.journal())).transpose()?;
         let keeping = folder.as_ref().filter(|_| analysis.journal().is_some());
         let keeping = keeping.map(|folder| Keeping { folder, fresh });
@@ -74,7 +75,9 @@ impl Drive<'_> {
         eyes.bar.finish();
         let found = found.map_err(|why| Stop::refused(scene, why))?;
         let command = command_line();
-        let output = output.filter(|_| found.is_written());
+        // whole results are not given up for those of an interrupted command
+        let before = before.filter(|_| matches!(found.end(), End::Interrupted { .. }));
+        let output = output.filter(|_| found.is_written() && before.is_none());
         let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(scene, dir, &command)));
         let (files, left) = match found.settle(files.is_ok()) {
             Ok(left) => (files, left),
@@ -85,7 +88,8 @@ impl Drive<'_> {
             say(&found.json(scene, Some(&command)).map_err(Stop::other)?)?;
         } else {
             let left = left.as_ref().map(|left| format!("\n{left}: {GOES_ON}\n")).unwrap_or_default();
-            say(&format!("{}\n{}{left}", text(&found), list_files(&files)))?;
+            let before = before.map(|folder| format!("{} keeps the files of before\n", folder.display()));
+            say(&format!("{}\n{}{}{left}", text(&found), before.unwrap_or_default(), list_files(&files)))?;
         }
         files?;
         ended(found.end(), left, keeping.is_some())

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// A longer name is cut, and ends with a number that stands for all of it.
 const LONGEST: usize = 100;
 
-/// `out/` and the name of the scene, with what the command adds to it and with the keys that it sets: `out/strip-strip.length=50nm`. Keys of
+/// `out/` and the name of the scene, with what the command adds to it and with the keys that it sets: `out/strip-strip.length-50nm`, in letters that no shell quotes. Keys of
 /// `[bounds]` stay out: an unfinished run goes on in its folder with others.
 pub fn default_folder(scene: &Path, parts: &[String], overrides: &[(String, String)]) -> PathBuf {
     let mut name = scene.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -22,7 +22,8 @@ pub fn default_folder(scene: &Path, parts: &[String], overrides: &[(String, Stri
         };
         said = part.clone();
         name += "-";
-        name.extend(part.chars().filter(|&c| c.is_alphanumeric() || "._=+-".contains(c)));
+        let written = part.chars().map(|c| if c == '=' { '-' } else { c });
+        name.extend(written.filter(|&c| c.is_alphanumeric() || "._+-".contains(c)));
     }
     Path::new("out").join(cut(name))
 }
@@ -52,16 +53,16 @@ mod tests {
         assert_eq!(folder(&[], &[]), "out/strip");
         assert_eq!(folder(&["sweep", "strip.length"], &[]), "out/strip-sweep-strip.length");
         let set = [("strip.length", "\"50 nm\""), ("drive.steps", "[\"press 1 nm\", \"hold\"]")];
-        assert_eq!(folder(&["observed"], &set), "out/strip-observed-strip.length=50nm-drive.steps=press1nmhold");
+        assert_eq!(folder(&["observed"], &set), "out/strip-observed-strip.length-50nm-drive.steps-press1nmhold");
         assert_eq!(folder(&[], &[("bounds.time", "3 s")]), "out/strip");
         let samples = [("uncertainty.samples", "1000")];
-        assert_eq!(folder(&["uncertainty"], &samples), "out/strip-uncertainty-samples=1000", "no word twice");
+        assert_eq!(folder(&["uncertainty"], &samples), "out/strip-uncertainty-samples-1000", "no word twice");
         assert_eq!(
             default_folder(Path::new("fit.toml"), &["fit".into(), "meas".into()], &[]),
             Path::new("out/fit-meas")
         );
-        assert_eq!(folder(&[], &[("strip.height", "5 nm")]), "out/strip-strip.height=5nm");
-        assert_eq!(folder(&[], &[("title", "../../etc")]), "out/strip-title=....etc", "one folder below out/");
+        assert_eq!(folder(&[], &[("strip.height", "5 nm")]), "out/strip-strip.height-5nm");
+        assert_eq!(folder(&[], &[("title", "../../etc")]), "out/strip-title-....etc", "one folder below out/");
     }
 
     #[test]

@@ -1,7 +1,6 @@
 //! The long help: enough to work from without the README.
 
 use peelkit_checks::suite::TOPICS;
-use peelkit_scene::{KEYS, Key, Kind, Need, Value};
 
 pub const EXIT_STATUS: &str = "\
 Exit status:
@@ -21,10 +20,11 @@ const KEYS_ELSEWHERE: &str = "\
 Keys of a scene: peel keys lists them with units, defaults and ranges, peel keys TABLE those of one table.";
 
 pub const OUTPUTS: &str = "\
-The output files appear in their folder all at once, when the command is done. A folder that is not empty is refused
-before anything is computed. With --force, files of the same names are replaced and all others stay.";
+The output files appear in their folder all at once, when the command is done. The same command again replaces its
+own files. Any other folder that is not empty is refused before anything is computed. With --force, files of the same
+names are replaced and all others stay.";
 
-const PIECES: &str = "\
+pub const PIECES: &str = "\
 The pieces of profile.pieces begin at the free end. Each piece needs length, width and height. Optional are roundness
 (0: rectangle, 1: ellipse), bend (rotation of the underside along the piece: \"30 deg\"), course (\"linear\" or \"smooth\"
 transition of width, roundness and direction) and height_course (\"smooth\": quintic transition; or \"linear\", where the
@@ -66,7 +66,7 @@ pub fn run() -> String {
         "\
 Examples:
   peel run strip.toml --out thin --set strip.height=\"5 nm\"
-  peel run strip.toml --set grip.rotation=fixed --json
+  peel run strip.toml --set strip.length=\"50 nm\" --set grip.rotation=fixed --json
   peel run strip.toml --at u=\"10 nm\" --at P=\"0.04 nN\"
   peel run strip.toml --animate --sensitivities
   peel run strip.toml --branch
@@ -131,9 +131,9 @@ How a path ends:
 
 {UNITS}
 
-{}
-{EXIT_STATUS}",
-        keys()
+{KEYS_ELSEWHERE}
+
+{EXIT_STATUS}"
     )
 }
 
@@ -351,53 +351,4 @@ Topics:
 {topics}
 {EXIT_STATUS}"
     )
-}
-
-/// Every key with its default, or with an example where it has none.
-fn keys() -> String {
-    let mut text = "\
-Keys of a scene, for --set; those with a number also for --vary. `peel keys` lists them with units, defaults and
-ranges, `peel keys TABLE` those of one table.
-"
-    .to_owned();
-    for key in KEYS {
-        let sample = format!("{} = {}", key.path(), sample(key));
-        let room = 70;
-        let note = match note(key) {
-            note if note.is_empty() => String::new(),
-            note if key.about.len() + note.len() < room => format!(" ({note})"),
-            note => format!("\n{:50}({note})", ""),
-        };
-        text += &format!("  {sample:<47} {}{note}\n", key.about);
-    }
-    text + PIECES
-}
-
-/// The key as a scene holds it: with its default, or with an example.
-fn sample(key: &Key) -> String {
-    match key.default_value() {
-        _ if matches!(key.kind, Kind::Pieces(_)) => format!("[{{ length = {:?}, ... }}]", "90 nm"),
-        Some(Value::Number(_)) if !key.unit().is_empty() => format!("\"{}\"", key.default_text()),
-        Some(Value::List(items)) if !items.is_empty() => format!("[\"{}\"]", key.default_text()),
-        Some(Value::List(_)) => "[]".into(),
-        // tables with several keys each
-        _ if matches!(key.kind, Kind::Setting(_)) && key.example().starts_with("[{") => "[{ key = ..., ... }]".into(),
-        Some(Value::Text(text)) if !text.is_empty() => format!("\"{text}\""),
-        Some(value @ (Value::Number(_) | Value::Flag(_))) => value.to_string(),
-        _ => key.example().to_owned(),
-    }
-}
-
-fn note(key: &Key) -> String {
-    match (&key.kind, key.need) {
-        (_, Need::Required) if !key.shapes().is_empty() => format!("required for shape {}", key.shapes().join(", ")),
-        (_, Need::Required) => key.default_text(),
-        (Kind::Bound(..), _) if key.default_value().is_none() => "none unless given".into(),
-        (Kind::Steps(_), _) => "none unless given".into(),
-        (Kind::Fixed(..) | Kind::Share(..), _) if key.table == "accuracy" => "chosen automatically".into(),
-        (Kind::Share(..), _) => "none unless given".into(),
-        (Kind::Text(_), _) => "the name of the file unless given".into(),
-        (Kind::Word(_) | Kind::Shape(_), _) => key.takes(),
-        _ => String::new(),
-    }
 }

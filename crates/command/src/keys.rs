@@ -4,7 +4,7 @@ use super::help;
 use super::output::say;
 use super::stop::Stop;
 use clap::Args;
-use peelkit_scene::{KEYS, Key, tables};
+use peelkit_scene::{KEYS, Key, Kind, tables};
 
 /// Lists the keys of a scene with unit, default and range
 #[derive(Args)]
@@ -60,6 +60,8 @@ fn listed(table: &str, alone: bool) -> String {
     text += &rows.iter().map(|row| line(std::array::from_fn(|i| row[i].as_str()))).collect::<String>();
     if alone {
         text += &keys.iter().filter_map(|key| below(key)).collect::<String>();
+        let has_pieces = keys.iter().any(|key| matches!(key.kind, Kind::Pieces(_)));
+        text += &if has_pieces { format!("\n{}", help::PIECES) } else { String::new() };
     }
     text
 }

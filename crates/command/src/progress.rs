@@ -1,6 +1,6 @@
 //! How far an analysis is, on standard error.
 
-use super::output::progress_bar;
+use super::output::{progress_bar, terminal};
 use super::run_progress::RunProgress;
 use indicatif::ProgressBar;
 use peelkit::study::StopCriteria;
@@ -32,6 +32,7 @@ impl Bar {
 
     pub fn spinner(message: &'static str) -> Self {
         let bar = ProgressBar::new_spinner().with_message(message);
+        bar.set_draw_target(terminal());
         bar.enable_steady_tick(TICK);
         Self::Spinner(bar)
     }

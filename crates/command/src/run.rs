@@ -108,9 +108,9 @@ impl Run {
 
     /// Adds the stations of the command line to those of the scene.
     fn add_stations(&self, scene: &mut Scene) -> Result<(), Stop> {
-        if !self.at.is_empty() && !matches!(scene.describes(), Described::Peel) {
+        if !self.at.is_empty() && !matches!(scene.describes(), Described::Peel | Described::Solid(_)) {
             return Err(Stop::bad_input(
-                "--at is given, and the scene has a [seta] or a [time]: stations are those of a path of equilibria of a beam",
+                "--at is given, and the scene has a [seta] or a [time]: stations are those of a path of equilibria of a beam or of a solid",
                 "Omit --at.",
             ));
         }
@@ -144,6 +144,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         Analysis::Peel(_) => folder.is_some().then_some(
             "stopping at the next point of the path, then locating the limit points of what was reached; Ctrl-C again stops at once",
         ),
+        Analysis::Solid(_) => Some("stopping at the next point of the path; Ctrl-C again stops at once"),
         Analysis::Seta(_) => Some("stopping at the next equilibrium of the seta; Ctrl-C again stops at once"),
         Analysis::Rate(_) => Some("stopping at the next step in time; Ctrl-C again stops at once"),
     };
@@ -151,6 +152,9 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     let drive = Drive { scene: &scene, out: &args.out, folder, fresh, json, bar: Bar::run(), answer };
     drive.run(&analysis, |found| match found {
         RunOutcome::Peel(found) => of_peel(&scene, found, wanted),
+        RunOutcome::Solid(found) => {
+            text_summary::solid::solid(&scene, &found.peel, found.long.as_ref(), found.seconds, wanted)
+        }
         RunOutcome::Seta(found) => of_seta(&scene, found, wanted),
         RunOutcome::Rate(found) => of_rate(&scene, found, wanted),
     })

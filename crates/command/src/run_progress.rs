@@ -1,5 +1,6 @@
 //! How far a single run is, on a terminal, once it has taken a second; nothing in a pipe.
 
+use super::output::terminal;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use peelkit::solve::{PathOptions, Waypoint};
 use peelkit::study::{SetaPoint, StopCriteria};
@@ -25,13 +26,13 @@ pub struct RunProgress {
 
 impl RunProgress {
     pub fn begin() -> Self {
-        Self::on(ProgressDrawTarget::stderr, AFTER)
+        Self::on(terminal, AFTER)
     }
 
     /// The same on another terminal and after another time.
     fn on(target: fn() -> ProgressDrawTarget, after: Duration) -> Self {
         let bar = ProgressBar::hidden();
-        let style = ProgressStyle::with_template("{spinner} {elapsed} elapsed, {msg}");
+        let style = ProgressStyle::with_template("{spinner} {elapsed} elapsed, {wide_msg}");
         let bar = if let Ok(style) = style { bar.with_style(style) } else { bar };
         bar.set_message("preparing the path");
         let (shown, points) = (Arc::new(AtomicBool::new(false)), Arc::new(AtomicUsize::new(0)));

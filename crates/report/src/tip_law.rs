@@ -2,7 +2,7 @@
 
 use super::error::ReportError;
 use super::file::read_whole;
-use super::records::parameters::parameters;
+use super::records::summary::parameters;
 use super::records::tip::{pad_end_word, sheet_word};
 use peelkit::study::coarsening::{
     CoarseningOptions, PadEnd, Sheet, SheetErrors, SheetNode, SheetTable, TipRange, TipScales, TipSheet, TipTable,

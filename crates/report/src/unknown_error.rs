@@ -14,6 +14,7 @@ pub fn unknown_error(scene: &Scene) -> Option<&'static str> {
             "the errors of the mesh, of the steps in time and of the law of the tips have no bound: compare with a \
              smaller time.tolerance"
         }
+        Described::Solid(_) => "the errors of the mesh of the solid have no bound: compare with a smaller solid.along",
         Described::Seta(_) => {
             "the bound on the error of the largest force is that of the mesh of the branches; the error of the law of the \
              tips is not in it, and other results have no bound"

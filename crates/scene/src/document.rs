@@ -5,10 +5,10 @@ use crate::body::{BODIES, body_of, set_body, set_space};
 use crate::conflict::Conflict;
 use crate::error::{Origin, SceneError, ValueError, nearest, one_line};
 use crate::key::kind::{Key, Kind};
-use crate::key::table::{SETA, TIME};
+use crate::key::table::{SETA, SOLID, TIME};
 use crate::keys::{KEYS, find_key, tables};
 use crate::scene::{Described, Scene};
-use crate::tables::{rate, seta};
+use crate::tables::{rate, seta, solid};
 use crate::value::Value;
 use crate::value::quantity::Comma;
 use peelkit::model::{Adhesion, Space};
@@ -48,12 +48,13 @@ impl Scene {
         let file = Origin::File { name, text };
         match scene.describes() {
             Described::Rate(..) => Err(rate::refused(&file, header_of(text, TIME.name))),
+            Described::Solid(_) => Err(solid::refused(&file, header_of(text, SOLID.name))),
             Described::Seta(_) => Err(seta::refused(&file, header_of(text, SETA.name))),
             Described::Peel => Ok(scene),
         }
     }
 
-    /// The same, of a scene that may have a seta, or be pulled at a rate, which [`Scene::parse`] refuses: who reads this has to look at
+    /// The same, of a scene that may have a seta or a solid, or be pulled at a rate, which [`Scene::parse`] refuses: who reads this has to look at
     /// [`Scene::describes`].
     pub fn parse_any(name: &str, text: &str, overrides: &[(String, String)]) -> Result<Self, SceneError> {
         let file = Origin::File { name, text };

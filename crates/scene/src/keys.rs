@@ -6,11 +6,12 @@ use crate::key::choice::{ENDS, HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attra
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
-    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, OPTIMISE, OUTPUT, PATH, PROFILE, SETA, SPATULA, STRIP,
-    SUBSTRATE, TIME, TOP, Table, UNCERTAINTY,
+    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, OPTIMISE, OUTPUT, PATH, PROFILE, SETA, SOLID, SPATULA,
+    STRIP, SUBSTRATE, TIME, TOP, Table, UNCERTAINTY,
 };
 use crate::scene::Scene;
-use crate::tables::{fit, optimise, output, rate, seta, uncertainty};
+use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
+use crate::tables::{fit, optimise, output, rate, seta, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -207,6 +208,15 @@ pub static KEYS: &[Key] = &[
     measure(&DRIVE, "turn", Optional, AnglePerLength, |s| &mut s.model.pull.turn, "rotation of a fixed grip per displacement").titled("rotation of the grip per displacement", ""),
     key(&DRIVE, "steps", Optional, Kind::Steps(|s| &mut s.model.steps), "press, lift, drag, push, turn, release, hold, shift, roll, yaw first"),
 
+    key(&SOLID, "element", Optional, Kind::Setting(&solid::ELEMENT), "element, by its contact edge or by its orders"),
+    key(&SOLID, "modes", Optional, Kind::Flag(|s| &mut s.solid_table().modes), "incompatible modes off the contact row"),
+    key(&SOLID, "along", Optional, Kind::Bound(Length, |s| &mut s.solid_table().along), "length of an element; none: that of the process zone").titled("length of an element", ""),
+    key(&SOLID, "through", Optional, Kind::Count(MOST_ROWS, |s| &mut s.solid_table().through), "rows of elements through the thickness").titled("rows of elements", ""),
+    key(&SOLID, "plane", Optional, choice!(PLANES, "\"strain\"", |s| &mut s.solid_table().plane), "what is zero across the plane"),
+    key(&SOLID, "material", Optional, choice!(MATERIALS, "\"neo-hookean\"", |s| &mut s.solid_table().material), "elastic energy"),
+    key(&SOLID, "contact", Optional, choice!(CONTACTS, "\"body-force\"", |s| &mut s.solid_table().contact), "what the half space acts on"),
+    key(&SOLID, "grip", Optional, choice!(GRIPS, "\"parabolic\"", |s| &mut s.solid_table().grip), "a rigid end face, or a parabolic shear traction on it"),
+    key(&SOLID, "grading", Optional, choice!(GRADINGS, "\"grip\"", |s| &mut s.solid_table().grading), "where elements are finer: nowhere, or at the corners of the grip"),
     key(&TIME, "rate", Required, Kind::Quantity(Velocity, |s| &mut s.time_table().rate), "velocity of what moves the grip").titled("rate of the pull", "V"),
     key(&TIME, "density", Required, Kind::Measure(Density, Range::From(0.0, 1e6), |s| &mut s.time_table().density), "density of the beam; 0: without inertia, as of a seta").titled("density", "ρ"),
     key(&TIME, "material", Optional, Kind::Setting(&rate::MATERIAL), "whether and how the material flows"),
@@ -233,8 +243,10 @@ pub static KEYS: &[Key] = &[
 
     key(&FIT, "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys to determine, with bounds if wanted"),
     key(&FIT, "force_error", Optional, Kind::Bound(Force, |s| &mut s.fit_table().options.force_error), "standard error of measured forces; none: from the residuals").titled("standard error of the measured forces", ""),
-    key(&FIT, "displacement_error", Optional, Kind::Bound(Length, |s| &mut s.fit_table().options.displacement_error), "standard error of measured displacements; none: exact").titled("standard error of the measured displacements", ""),
+    key(&FIT, "displacement_error", Optional, Kind::Setting(&fit::DISPLACEMENT_ERROR), "standard error of measured displacements"),
     key(&FIT, "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut s.fit_table().options.displacement_zero), "measured displacement at which the model's is zero").titled("zero of the measured displacement", "d"),
+    key(&FIT, "force_zero", Optional, Kind::Measure(Force, Range::FORCE_ZERO, |s| &mut s.fit_table().options.force_zero), "measured force at which the model's is zero").titled("zero of the measured force", "f"),
+    key(&FIT, "columns", Optional, Kind::Setting(&fit::COLUMNS), "which columns of the data are fitted; none: by their units"),
     key(&FIT, "jump", Optional, Kind::Bound(Length, |s| &mut s.fit_table().jump), "measured displacement of the first jump; none: looked for").titled("measured displacement of the jump", ""),
     key(&FIT, "use_jump", Optional, Kind::Flag(|s| &mut s.fit_table().options.use_jump), "whether the displacement of the jump is a datum"),
     key(&FIT, "loss", Optional, Kind::Setting(&fit::LOSS), "how much points far from the curve count"),

@@ -29,9 +29,10 @@ pub use peelkit::model::Range;
 pub use scene::bounds::BoundsTable;
 pub use scene::rate::{Flow, TimeTable};
 pub use scene::seta::{SetaTable, SetaTipLaw};
+pub use scene::solid::SolidTable;
 pub use scene::studies::{
-    CorrelatedKeys, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey, UncertaintyTable,
-    VolumeRule,
+    CorrelatedKeys, FitColumns, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey,
+    UncertaintyTable, VolumeRule,
 };
 pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;

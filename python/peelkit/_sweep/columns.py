@@ -140,9 +140,22 @@ _AT_RATE = (
 )
 
 
+_OF_SOLID = (
+    *_with_error("peak_force", "nN", "largest force up to the first jump", "peak_force_nN", "peak_error_nN"),
+    Column("peak_displacement", "nm", "displacement at the peak", "peak_displacement_nm"),
+    Column("first_jump_displacement", "nm", "displacement at the first jump", "first_jump_displacement_nm"),
+    Column("first_jump_force", "nN", "force at the first jump", "first_jump_force_nN"),
+    _END,
+    Column("points", "", "path points", "points"),
+    _ITERATIONS,
+    Column("unknowns", "", "unknowns of the solid", "unknowns"),
+    _TIME,
+)
+
+
 def columns_of(subject: str) -> tuple[Column, ...]:
-    """Those of what a scene describes: ``"peel"``, ``"seta"`` or ``"rate"``."""
-    return {"peel": COLUMNS, "seta": _OF_SETA, "rate": _AT_RATE}[subject]
+    """Those of what a scene describes: ``"peel"``, ``"solid"``, ``"seta"`` or ``"rate"``."""
+    return {"peel": COLUMNS, "solid": _OF_SOLID, "seta": _OF_SETA, "rate": _AT_RATE}[subject]
 
 
 def row_of(row: str, columns: tuple[Column, ...]) -> Row:

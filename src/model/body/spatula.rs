@@ -60,10 +60,18 @@ impl Default for Spatula {
     }
 }
 
+/// Lengths along the axis that are a smaller share of the whole one are none: no element is so short, and a tip that is rounded over less is blunt.
+const LEAST_SHARE: f64 = 1e-9;
+
 impl Spatula {
+    /// The shortest length along the axis that is resolved, nm.
+    fn least_length(&self) -> f64 {
+        LEAST_SHARE * self.length()
+    }
+
     /// Width of the rounded tip over that of a blunt one, and its derivative by S.
     fn rounding(&self, place: f64) -> [f64; 2] {
-        if place >= self.tip_rounding_length {
+        if place >= self.tip_rounding_length || self.tip_rounding_length < self.least_length() {
             return [1.0, 0.0];
         }
         let least = self.tip_rounding_width / self.tip_width;
@@ -95,11 +103,12 @@ impl BeamGeometry for Spatula {
         if self.shaft_angle != 0.0 {
             breaks.push(pad + self.bend_length);
         }
-        if self.tip_rounding_length > 0.0 {
+        let least = self.least_length();
+        if self.tip_rounding_length >= least {
             breaks.push(self.tip_rounding_length);
         }
         breaks.sort_by(f64::total_cmp);
-        breaks.dedup();
+        breaks.dedup_by(|next, before| *next - *before < least);
         breaks
     }
 
@@ -164,5 +173,19 @@ mod tests {
         }
         assert_eq!(spatula.at(0.0).width, 100.0);
         assert_eq!(spatula.breaks(), [60.0, 240.0, 290.0, 390.0]);
+    }
+
+    /// A length that no element can have is none.
+    #[test]
+    fn what_is_too_short_to_be_resolved_is_left_out() {
+        let blunt = Spatula::default();
+        for tip_rounding_length in [1e-300, 1e-12, 1e-8] {
+            let spatula = Spatula { tip_rounding_length, ..blunt.clone() };
+            assert_eq!((spatula.breaks(), spatula.at(0.0).width), (blunt.breaks(), blunt.at(0.0).width));
+        }
+        let rounded = Spatula { tip_rounding_length: 1e-5, ..blunt.clone() };
+        assert_eq!((rounded.breaks()[0], rounded.at(0.0).width), (1e-5, 100.0));
+        let bent = Spatula { bend_length: 150.0 * (1.0 + 1e-14), ..blunt };
+        assert_eq!(bent.breaks(), [240.0, 390.0]);
     }
 }

@@ -222,7 +222,7 @@ impl ModelErrorKind {
             }
             Self::FrictionOffFlatGround { .. } => "Remove the table [substrate] or the table [friction].",
             Self::FrictionBesideLaw { .. } => {
-                "Use `law = \"body-force\"` or \"surface-traction\" under [adhesion], or remove the table [friction]."
+                "Where the adhesive holds a strip along the substrate give `shear_strength = \"1 MPa\"` under [adhesion] and remove the table [friction]; for dry friction use `law = \"body-force\"` or \"surface-traction\"."
             }
             Self::PretensionUnderFriction { .. } => "Remove `pretension` or the table [friction].",
             Self::NoPotentialOnGround { .. } => "Use another line_load or law, or remove the table [substrate].",
@@ -286,6 +286,8 @@ impl Range {
     pub const ROUNDING_LENGTH: Self = Self::From(0.0, 1e9);
     /// Of where a crest of the substrate is, nm.
     pub const OFFSET: Self = Self::From(-1e9, 1e9);
+    /// Of what a load cell shows where nothing pulls, nN.
+    pub const FORCE_ZERO: Self = Self::From(-1e12, 1e12);
     /// Of Coulomb's coefficient of friction.
     pub const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
     /// Of the angle of the pull, rad.

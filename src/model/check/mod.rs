@@ -4,15 +4,10 @@
 //! they are built ([`super::TableError`], [`super::PiecesError`], [`crate::adhesion::HeightsError`]), a rod when it is
 //! ([`super::RodError`]).
 
-mod adhesion;
-mod body;
+mod consistency;
 pub(super) mod drive;
 pub(crate) mod error;
-mod friction;
-mod ground;
-mod length;
 pub(crate) mod numbers;
-mod space;
 use super::peel::PeelModel;
 use super::problem::build::Discretisation;
 use error::{Measured, ModelError, Range};
@@ -39,13 +34,7 @@ impl PeelModel {
     pub fn check(&self) -> Result<(), ModelError> {
         MODEL_NUMBERS.iter().try_for_each(|number| number.check(self))?;
         drive::check_steps(&self.steps)?;
-        adhesion::check(self)?;
-        friction::check(self)?;
-        length::check(self)?;
-        ground::check(self)?;
-        drive::check(self)?;
-        body::check(self)?;
-        space::check(self)
+        consistency::check(self)
     }
 
     /// Itself, if it can be computed.

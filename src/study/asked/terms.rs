@@ -35,6 +35,15 @@ impl Term {
             Self::Friction => "friction",
         }
     }
+
+    /// The same with what it is, where the word alone does not say it.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::FarFace => "attraction of the upper surface (far face)",
+            Self::ContactMoment => "moment of the adhesion about the axis (contact moment)",
+            other => other.word(),
+        }
+    }
 }
 
 /// Which terms of the model are computed.

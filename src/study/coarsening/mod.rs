@@ -3,7 +3,6 @@
 //! Coarse-graining, Section 7 of the paper: [`coarsen`] follows the spatula with its end held over ranges of height u, place along the substrate v
 //! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
 //! a table is not enough, and [`SpatulaTip`] puts it into space.
-mod adaptive;
 mod columns;
 mod held_spatula;
 mod near_end;
@@ -16,7 +15,6 @@ mod spline;
 mod table;
 mod tip_in_space;
 
-pub use adaptive::{AdaptiveTable, ResolvedTips};
 pub use columns::TipSheet;
 pub use near_end::{NearEnd, Resolved, Visited};
 pub use options::{

@@ -152,23 +152,6 @@ impl Grid {
         Self { path: nodes([0.0, 1.0], PATH), lateral: nodes(lateral, LATERAL), rotation: nodes(rotation, ROTATION) }
     }
 
-    /// Adds nodes beyond the ends, as far apart as the outermost ones, until this v and θ are within.
-    pub fn widen(&mut self, lateral: f64, rotation: f64) {
-        for (nodes, place) in [(&mut self.lateral, lateral), (&mut self.rotation, rotation)] {
-            let count = nodes.len();
-            if count < 2 {
-                continue;
-            }
-            let (below, above) = (nodes[1] - nodes[0], nodes[count - 1] - nodes[count - 2]);
-            while nodes[0] > place {
-                nodes.insert(0, nodes[0] - below);
-            }
-            while nodes[nodes.len() - 1] < place {
-                nodes.push(nodes[nodes.len() - 1] + above);
-            }
-        }
-    }
-
     fn sheet(&self, columns: &mut Columns) -> Result<Sheet, HeldError> {
         let places = pairs(&self.lateral, &self.rotation);
         columns.compute(&places, &self.path)?;

@@ -1,4 +1,4 @@
-//! A table under way: its columns are kept, so that it can grow, and the spatula itself can be solved at a place of a tip.
+//! A table under way, and the spatula itself, which can be solved at a place of a tip.
 
 use super::columns::{BranchStart, Columns, TipSheet};
 use super::held_spatula::HeldSpatula;
@@ -9,7 +9,7 @@ use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 
-/// A spatula whose table is made, widened and refined.
+/// A spatula whose table is made.
 pub struct Coarsening {
     model: PeelModel,
     options: CoarseningOptions,
@@ -32,8 +32,6 @@ const OF_LIMIT: f64 = 0.25;
 const STILL_ADHERES: f64 = 0.5;
 /// How far away the detached branch is begun, over the length of the spatula, beside what its rotation takes.
 const AWAY: f64 = 0.5;
-/// How far a table grows, over what was asked of it.
-const ROOM: f64 = 1.1;
 
 /// Computes the table of a tip.
 ///
@@ -165,32 +163,6 @@ impl Coarsening {
     /// Where its attached branch begins.
     pub(super) fn into_attached(self) -> BranchStart {
         self.attached.into_start()
-    }
-
-    /// Widens the ranges of the next table until v and θ of a place are within.
-    pub fn widen(&mut self, place: TipPlace) {
-        self.attached_grid.widen(place.lateral, place.rotation);
-        self.detached_grid.widen(0.0, place.rotation);
-        let widened = |[from, to]: [f64; 2], value: f64| [from.min(value), to.max(value)];
-        self.options.range.lateral = widened(self.options.range.lateral, place.lateral);
-        self.options.range.rotation = widened(self.options.range.rotation, place.rotation);
-    }
-
-    /// Begins the attached branch of the next table with the tip pressed farther by so much and a little more, nm; its columns are followed again.
-    pub fn press_farther(&mut self, by: f64) {
-        if by > 0.0
-            && let BranchStart::Attached { spatula, rest, press } = self.attached.start()
-        {
-            let press = press + ROOM * by;
-            let (spatula, rest) = (spatula.clone(), rest.clone());
-            self.attached = Columns::new(BranchStart::Attached { spatula, rest, press });
-            self.options.range.press = press;
-        }
-    }
-
-    /// Asks another tolerance of the next table.
-    pub fn refine_to(&mut self, tolerance: f64) {
-        self.options.tolerance = tolerance;
     }
 }
 

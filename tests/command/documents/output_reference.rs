@@ -301,6 +301,31 @@ fn every_key_and_column_of_a_seta_is_described() {
 
 /// A strip that is pulled over its peak, and a seta of four tips.
 #[test]
+fn every_key_and_column_of_a_solid_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/solid-strip.toml", super::ROOT);
+    let coarse = ["--set", "solid.along=4 nm", "--set", "solid.through=3", "--set", "path.until=first-jump"];
+    peel(&[&["run", &scene, "--out", "out", "--at", "u=1 nm"], &coarse[..]].concat(), folder.path());
+    let json = std::fs::read(folder.path().join("out/summary.json")).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
+    assert_described(&found, "summary.json of a solid");
+    let twice = ["--vary", "solid.through", "--values", "2, 3", "--vary", "strip.length", "--values", "100 nm"];
+    peel(&[&["sweep", &scene, "--out", "sweep"], &twice[..], &coarse[..2], &coarse[4..]].concat(), folder.path());
+    for (file, name) in [
+        ("out/curve.csv", "curve.csv of a solid"),
+        ("out/limit_points.csv", "limit_points.csv of a solid"),
+        ("out/stations.csv", "stations.csv of a solid"),
+        ("sweep/sweep.csv", "sweep.csv of solids"),
+    ] {
+        let table = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let columns = table.lines().next().unwrap().split(',').map(str::to_owned);
+        let found = columns.filter(|column| !column.starts_with("solid.") && !column.starts_with("strip.")).collect();
+        assert_described(&found, name);
+    }
+}
+
+#[test]
 fn every_key_and_column_of_a_rate_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/strip-at-a-rate.toml", super::ROOT);

@@ -174,7 +174,7 @@ fn absurd_scenes_end_in_a_status() {
         "adhesion.equilibrium_distance=1e30 nm",
         "strip.bending_stiffness_factor=1e-17",
     ] {
-        let args = ["run", "strip-100nm.toml", "--json", "--set", "bounds.time=5 s", "--set", set];
+        let args = ["run", "strip-100nm.toml", "--json", "--set", "bounds.time=1 s", "--set", set];
         let run = peel(dir.path(), &args);
         let summary = run.json();
         assert_status_tells_the_end(&run, &summary["end"], &summary["reason"]);

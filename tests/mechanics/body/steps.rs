@@ -14,12 +14,14 @@
 //! what the energy's slope is. Collocation has its word in `peel verify --only pull`. Recorded: path points and Newton iterations.
 
 use crate::common::{paper_strip, with_grip};
-use peelkit::model::{BeamProblem, Body, Form, Hold, PeelModel, Pull, Spatula, Step};
+use peelkit::adhesion::{Attraction, CohesiveShape};
+use peelkit::beam::{GripForces, Material};
+use peelkit::model::{Adhesion, BeamProblem, Body, Form, Grip, Hold, PeelModel, Pull, Spatula, Step, Strip};
 use peelkit::solve::{
     Observables, Pace, Path, PathConstraint, PathOptions, Problem, State, Workspace, controlled, slopes,
 };
 use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
-use std::f64::consts::FRAC_PI_3;
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
@@ -300,4 +302,49 @@ fn a_step_that_cannot_be_taken_says_how_far_it_came() {
     assert!(why.contains("step 1 of drive.steps, \"press 1 nm\", leads through the surface"), "{why}");
     let peel = peel(&strip(Hold::Fixed, Hold::Free, &[Step::Hold, Step::Press(1.0)]), &Accuracy::to(1e-6), &BOUNDS);
     assert_eq!((peel.steps.len(), peel.points.len()), (1, 0));
+}
+
+/// scenes/loop.toml: half of a loop tack test. Of what adheres flat, far from the front, and of the section in the grip the first integral
+/// H x' + V y' + M θ' - stored - Ψ is one number: H + H²/2EA + w b at the one, the forces of the grip at the other.
+#[test]
+fn a_tape_that_is_bent_to_a_loop_has_its_first_integral() {
+    let (height, width, work) = (5e4, 2.5e7, 20.0);
+    let material = Material::of(2.0, 0.35);
+    let law = Adhesion {
+        attraction: Attraction::Cohesive(CohesiveShape::Exponential),
+        work: Some(work),
+        strength: Some(1e-4),
+        ..Adhesion::default()
+    };
+    let equilibrium_distance = law.distance_of_work_and_strength().unwrap();
+    let strip = Strip { length: 3e7, height, width, material, crack: None };
+    let grip = Grip { rotation: Hold::Fixed, horizontal: Hold::Fixed, ..Grip::FREE };
+    let (mm, quarter) = (1e6, FRAC_PI_4);
+    let steps = [
+        Step::Lift(3.0 * mm),
+        Step::Turn(quarter),
+        Step::Push(5.0 * mm),
+        Step::Lift(5.0 * mm),
+        Step::Turn(quarter),
+        Step::Push(5.0 * mm),
+        Step::Lift(4.0 * mm),
+        Step::Push(5.0 * mm),
+        Step::Lift(4.0 * mm),
+        Step::Push(5.0 * mm),
+        Step::Lift(4.0 * mm),
+        Step::Press(6.0 * mm),
+    ];
+    let model = PeelModel::of(Body::Strip(strip), Adhesion { equilibrium_distance, ..law }, grip);
+    let looped = peeled(&PeelModel { steps: steps.to_vec(), ..model });
+    let (axial, bending) = (2.0 * width * height, 2.0 * width * height.powi(3) / 12.0);
+    let shearing = material.shear_correction * axial / (2.0 * (1.0 + 0.35));
+    for (step, at) in steps.iter().zip(&looped.steps) {
+        let (GripForces { horizontal, vertical, moment, .. }, (sin, cos)) = (at.forces, at.rotation.sin_cos());
+        let (normal, shear) = (horizontal * cos + vertical * sin, vertical * cos - horizontal * sin);
+        let (stretch, slide) = (1.0 + normal / axial, shear / shearing);
+        let along = horizontal * (stretch * cos - slide * sin) + vertical * (stretch * sin + slide * cos);
+        let stored = normal * normal / axial + shear * shear / shearing - moment * moment / bending;
+        let adhering = horizontal + horizontal * horizontal / (2.0 * axial) + work * width;
+        assert_near(&format!("{step:?}"), along - 0.5 * stored, adhering, 1e-8 * adhering);
+    }
 }

@@ -1,9 +1,9 @@
 //! The law of a tip, coarse-grained from its spatula.
 
-mod adaptive;
 mod held;
 mod in_space;
 mod near_end;
+mod resolved;
 mod sliding;
 mod strip;
 

@@ -15,9 +15,9 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
-    Accuracy, CurveBy, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss, MeasuredCurve,
-    MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt, StationQuantity,
-    StopCriteria, fit, peel,
+    Accuracy, CurveBy, DisplacementError, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss,
+    MeasuredCurve, MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt,
+    StationQuantity, StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -51,14 +51,18 @@ fn model(truth: Truth) -> PeelModel {
 /// Which of the numbers are fitted, by name, and where the search begins.
 fn parameters(names: &[(&'static str, f64)]) -> Vec<FitParameter> {
     let parameter = |&(name, initial): &(&'static str, f64)| {
-        let zero = name == "zero";
+        let zero = name.contains("zero");
         FitParameter {
             key: name.into(),
             initial,
             range: if zero { Range::OFFSET } else { Range::Positive },
             from: None,
             to: None,
-            of: if zero { ParameterOf::DisplacementZero } else { ParameterOf::Model },
+            of: match name {
+                "zero" => ParameterOf::DisplacementZero,
+                "force zero" => ParameterOf::ForceZero,
+                _ => ParameterOf::Model,
+            },
         }
     };
     names.iter().map(parameter).collect()
@@ -123,7 +127,7 @@ fn with_noise(exact: &[(f64, f64)], noise: f64, seed: u64) -> Vec<MeasuredPoint>
 }
 
 fn fitted(problem: &FitProblem, points: Vec<MeasuredPoint>, options: &FitOptions) -> Result<Fit, NoFit> {
-    let curve = MeasuredCurve::new(points, None).unwrap();
+    let curve = MeasuredCurve::new(points, None, Some(0.0)).unwrap();
     fit(problem, &curve, options, &ACCURACY, &StopCriteria::default)
 }
 
@@ -152,6 +156,46 @@ fn intervals_hold_what_is_known_in_95_of_100_repetitions() {
     let held = counted(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)], &exact(TRUTH, 0.0), 100);
     println!("{held:?} of 100");
     assert!(held.iter().all(|&count| count >= 89), "{held:?} of 100");
+}
+
+/// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.02 nm and 0.004 nN that nobody has given: both are estimated.
+#[test]
+fn intervals_hold_what_is_known_where_displacements_have_errors_too() {
+    let truth = Truth { hamaker: 0.12, modulus: 3.0, ..TRUTH };
+    let (curve, problem) = (exact(truth, 0.0), problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]));
+    let one = |seed: u64| {
+        let mut random = ChaCha8Rng::seed_from_u64(1000 + seed);
+        let mut points = with_noise(&curve, 0.004, seed);
+        points.iter_mut().for_each(|point| point.displacement += 0.02 * normal(&mut random));
+        let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
+        let fit = fitted(&problem, points, &options).unwrap();
+        let errors = [fit.estimated_error.unwrap(), fit.estimated_displacement_error.unwrap()];
+        ([holds(&fit, 0, 0.12), holds(&fit, 1, 3.0)], errors)
+    };
+    let all: Vec<_> = (1..=100).into_par_iter().map(one).collect();
+    let held = [0, 1].map(|k| all.iter().filter(|one| one.0[k]).count());
+    let mean = [0, 1].map(|k| all.iter().map(|one| one.1[k]).sum::<f64>() / 100.0);
+    println!("{held:?} of 100, errors {mean:?}");
+    assert!(held.iter().all(|&count| count >= 89), "{held:?} of 100");
+    assert!((mean[0] / 0.004 - 1.0).abs() < 0.15 && (mean[1] / 0.02 - 1.0).abs() < 0.25, "{mean:?}");
+}
+
+/// A load cell that shows 0.05 nN where nothing pulls, in a record that goes on behind the jump.
+#[test]
+fn the_zero_of_the_force_is_found_with_the_strip() {
+    let mut curve = exact(TRUTH, 0.0);
+    let jump = peel(&model(TRUTH), &Accuracy::to(1e-7), &StopCriteria::default()).snap_off.unwrap().displacement;
+    curve.extend((0..6).map(|k| (jump + 0.3 + f64::from(k), 0.0)));
+    let points: Vec<MeasuredPoint> =
+        noisy(&curve, 5).into_iter().map(|point| MeasuredPoint { force: point.force + 0.05, ..point }).collect();
+    let problem = problem(TRUTH, &[("hamaker", 0.12), ("modulus", 1.7), ("force zero", 0.0)]);
+    let measured = MeasuredCurve::new(points, None, None).unwrap();
+    assert_eq!(measured.behind_jump.len(), 6);
+    let fit = fit(&problem, &measured, &FitOptions::default(), &ACCURACY, &StopCriteria::default).unwrap();
+    assert!(fit.converged() && holds(&fit, 0, 0.1) && holds(&fit, 1, 2.0) && holds(&fit, 2, 0.05), "{fit:?}");
+    let half = |k: usize| fit.parameters[k].standard_error.unwrap();
+    // six points without a force and 44 with one
+    assert!(half(2) < 1.1 * NOISE / 6f64.sqrt() && fit.force_zero == fit.parameters[2].value, "{}", half(2));
 }
 
 /// Stiffness and zero of the machine as well, and a jump: all at once.
@@ -268,7 +312,7 @@ fn what_cannot_be_fitted_is_refused() {
     let negative = fitted(&problem(TRUTH, &[("hamaker", -1.0)]), points.clone(), &options);
     assert!(matches!(negative, Err(NoFit::OutsideBounds { .. })), "{negative:?}");
     let back: Vec<_> = points.iter().chain(points.iter().rev()).copied().collect();
-    assert!(matches!(MeasuredCurve::new(back, None), Err(FitDataError::ThereAndBack { .. })));
+    assert!(matches!(MeasuredCurve::new(back, None, Some(0.0)), Err(FitDataError::ThereAndBack { .. })));
 }
 
 /// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.2 nm and 0.004 nN.
@@ -279,7 +323,11 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
     let mut points = with_noise(&exact(truth, 0.0), 0.004, 5);
     points.iter_mut().for_each(|point| point.displacement += 0.2 * normal(&mut random));
     let problem = problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]);
-    let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
+    let options = FitOptions {
+        profile: ProfileChoice::None,
+        displacement_error: DisplacementError::None,
+        ..FitOptions::default()
+    };
     let proposed = |fit: &Fit| {
         fit.warnings().into_iter().find_map(|warning| match warning {
             FitWarning::ExactDisplacements { displacement_error, .. } => Some(displacement_error),
@@ -289,7 +337,8 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
     let fit = fitted(&problem, points.clone(), &options).unwrap();
     let error = proposed(&fit).unwrap_or_else(|| panic!("{:?} {:?}", fit.estimated_error, fit.scatter));
     assert!((0.04..1.0).contains(&error), "{error}");
-    let fit = fitted(&problem, points, &FitOptions { displacement_error: Some(0.2), ..options }).unwrap();
+    let fit =
+        fitted(&problem, points, &FitOptions { displacement_error: DisplacementError::Known(0.2), ..options }).unwrap();
     assert_eq!(proposed(&fit), None);
     let good = fitted(&problem, noisy(&exact(truth, 0.0), 6), &options).unwrap();
     assert_eq!(proposed(&good), None);

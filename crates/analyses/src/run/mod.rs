@@ -1,16 +1,18 @@
-//! What `peel run` computes: the peel of a scene, the pull-off of its seta, or its pull at a rate, by what the scene describes.
+//! What `peel run` computes: the peel of a scene, as a beam or as a solid, the pull-off of its seta, or its pull at a rate, by what the scene describes.
 
 mod asked;
 mod peel;
 mod rate;
 mod sensitivities;
 mod seta;
+mod solid;
 
 pub use asked::Asked;
 pub use peel::{PeelOutcome, PeelRun};
 pub use rate::{OfSeta, Pull, RateOutcome, RateRun};
 pub use sensitivities::Exponents;
 pub use seta::{SetaOutcome, SetaRun};
+pub use solid::{SolidOutcome, SolidRun};
 
 use crate::outcome::{Analysis, End, Outcome, Refusal};
 use crate::session::Session;
@@ -23,6 +25,8 @@ use std::path::{Path, PathBuf};
 pub enum Run<'s> {
     /// A beam in equilibrium
     Peel(PeelRun<'s>),
+    /// A solid in equilibrium
+    Solid(SolidRun<'s>),
     /// A seta in equilibrium
     Seta(SetaRun<'s>),
     /// Either, pulled at a rate
@@ -37,6 +41,7 @@ impl<'s> Run<'s> {
         Ok(match scene.describes() {
             Described::Rate(..) => Self::Rate(RateRun::of(scene, asked)?),
             Described::Seta(_) => Self::Seta(SetaRun::of(scene, asked)?),
+            Described::Solid(_) => Self::Solid(SolidRun::of(scene, asked)?),
             Described::Peel => Self::Peel(PeelRun::of(scene, asked)?),
         })
     }
@@ -48,6 +53,7 @@ impl Analysis for Run<'_> {
     fn journal(&self) -> Option<JournalKind> {
         match self {
             Self::Peel(run) => run.journal(),
+            Self::Solid(run) => run.journal(),
             Self::Seta(run) => run.journal(),
             Self::Rate(run) => run.journal(),
         }
@@ -56,6 +62,7 @@ impl Analysis for Run<'_> {
     fn run(&self, session: &Session) -> Result<RunOutcome, Refusal> {
         Ok(match self {
             Self::Peel(run) => RunOutcome::Peel(Box::new(run.run(session)?)),
+            Self::Solid(run) => RunOutcome::Solid(Box::new(run.run(session)?)),
             Self::Seta(run) => RunOutcome::Seta(Box::new(run.run(session)?)),
             Self::Rate(run) => RunOutcome::Rate(Box::new(run.run(session)?)),
         })
@@ -66,6 +73,8 @@ impl Analysis for Run<'_> {
 pub enum RunOutcome {
     /// Of a beam in equilibrium
     Peel(Box<PeelOutcome>),
+    /// Of a solid in equilibrium
+    Solid(Box<SolidOutcome>),
     /// Of a seta in equilibrium
     Seta(Box<SetaOutcome>),
     /// Of either, pulled at a rate
@@ -76,6 +85,7 @@ impl RunOutcome {
     fn any(&self) -> &dyn Outcome {
         match self {
             Self::Peel(found) => &**found,
+            Self::Solid(found) => &**found,
             Self::Seta(found) => &**found,
             Self::Rate(found) => &**found,
         }

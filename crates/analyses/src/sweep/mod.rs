@@ -15,9 +15,12 @@ use crate::outcome::{Analysis, Refusal};
 use crate::rate::pull_at_rate;
 use crate::session::Session;
 use crate::seta::Setae;
+use crate::solid::peeled;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind, SetaResult};
-use peelkit_report::{Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SweepLine, SweepRow, timed};
+use peelkit_report::{
+    Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SolidResult, SweepLine, SweepRow, timed,
+};
 use peelkit_scene::{Described, Scene};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -43,6 +46,11 @@ impl<'s> Sweep<'s> {
                 "--follow and --peak-only have no meaning for a pull at a rate: they follow a limit point of equilibria",
                 "Omit them: each value is pulled as a whole.",
                 "--part divides sweeps of equilibria, and this is one of pulls at a rate",
+            ],
+            Described::Solid(_) => [
+                "--follow and --peak-only have no meaning for a solid: they follow a limit point of a beam",
+                "Omit them: each value is peeled as a whole.",
+                "--part divides sweeps of beams, and this is one of solids",
             ],
             Described::Seta(_) => [
                 "--follow and --peak-only have no meaning for a seta: they follow a limit point of one beam",
@@ -123,6 +131,11 @@ impl Analysis for Sweep<'_> {
                     let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
                     (Rows::Rates(rows), taken)
                 }
+                Described::Solid(_) => {
+                    let of = |case: &Case| solid(&case.scene, session);
+                    let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
+                    (Rows::Solids(rows), taken)
+                }
                 Described::Seta(_) => {
                     let of = |case: &Case| pull_off(&case.scene, &setae, session);
                     let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
@@ -156,7 +169,7 @@ impl SceneRows {
         Self { setae: Setae::like(scene) }
     }
 
-    /// The row of a scene as one JSON object: of its peel, of the pull-off of its seta, or of its pull at a rate. Its value is
+    /// The row of a scene as one JSON object: of its peel, as a beam or as a solid, of the pull-off of its seta, or of its pull at a rate. Its value is
     /// 0, because nothing says what is varied. Called from any thread.
     ///
     /// Fails where a number is not finite.
@@ -164,6 +177,10 @@ impl SceneRows {
         match scene.describes() {
             Described::Rate(..) => {
                 let (found, solve_s) = timed(|| pull(scene, &self.setae, session));
+                PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+            }
+            Described::Solid(_) => {
+                let (found, solve_s) = timed(|| solid(scene, session));
                 PullRow { value: 0.0, second: None, found, solve_s }.to_json()
             }
             Described::Seta(_) => {
@@ -201,6 +218,13 @@ fn pull(scene: &Scene, setae: &Setae, session: &Session) -> Result<RateResult, S
 fn pull_off(scene: &Scene, setae: &Setae, session: &Session) -> Result<SetaResult, String> {
     let Described::Seta(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
     setae.pull_off(scene, table, &session.stop_of_one(scene))
+}
+
+/// The peel of the solid of a scene, or why there is none.
+fn solid(scene: &Scene, session: &Session) -> Result<SolidResult, String> {
+    let Described::Solid(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
+    let peel = peeled(scene, &scene.solid_settings(table), session.stop_of_one(scene));
+    peel.map(|peel| SolidResult::from(&peel)).map_err(|error| error.to_string())
 }
 
 fn pull_row<F>(Found { case, found, solve_s }: Found<Result<F, String>>) -> PullRow<F> {

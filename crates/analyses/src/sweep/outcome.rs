@@ -6,8 +6,8 @@ use super::no_effect;
 use crate::outcome::{End, Outcome, by};
 use peelkit::study::{FollowedSweep, Remark, SetaResult};
 use peelkit_report::{
-    self as report, Journal, PartHeader, PullRow, RateResult, Record, ReportError, SweepPart, SweepRow, SweepSummary,
-    SweptKeys, seta_end_reason,
+    self as report, Journal, PartHeader, PullRow, RateResult, Record, ReportError, SolidResult, SweepPart, SweepRow,
+    SweepSummary, SweptKeys, seta_end_reason,
 };
 use peelkit_scene::Scene;
 use std::io;
@@ -19,6 +19,8 @@ pub enum Rows {
     Peels(Vec<SweepRow>),
     /// The pull-off of a seta
     Setae(Vec<PullRow<SetaResult>>),
+    /// The peel of a solid
+    Solids(Vec<PullRow<SolidResult>>),
     /// A pull at a rate
     Rates(Vec<PullRow<RateResult>>),
     /// A point that is followed, with the seconds that each took
@@ -48,6 +50,7 @@ impl SweepOutcome {
         remarks.extend(match &rows {
             Rows::Peels(rows) => no_effect::seen(keys, rows),
             Rows::Setae(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
+            Rows::Solids(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Rates(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Followed(..) => None,
         });
@@ -59,6 +62,7 @@ impl SweepOutcome {
         let rows = match &self.rows {
             Rows::Peels(rows) => rows.len(),
             Rows::Setae(rows) => rows.len(),
+            Rows::Solids(rows) => rows.len(),
             Rows::Rates(rows) => rows.len(),
             // it is not stopped
             Rows::Followed(..) => self.values,
@@ -73,6 +77,9 @@ impl SweepOutcome {
             Rows::Setae(rows) => {
                 failed_pulls(self.keys, rows, |found| seta_end_reason(&found.end).filter(|_| found.end.is_failure()))
             }
+            Rows::Solids(rows) => {
+                failed_pulls(self.keys, rows, |found| found.reason.clone().filter(|_| found.has_failed))
+            }
             Rows::Rates(rows) => failed_pulls(self.keys, rows, |found| found.failed.clone()),
             Rows::Followed(sweep, _) => {
                 let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
@@ -86,6 +93,7 @@ impl SweepOutcome {
         match &self.rows {
             Rows::Peels(rows) => report::write_sweep(dir, self.keys, rows),
             Rows::Setae(rows) => report::write_swept_setae(dir, self.keys, rows),
+            Rows::Solids(rows) => report::write_swept_solids(dir, self.keys, rows),
             Rows::Rates(rows) => report::write_swept_rates(dir, self.keys, rows),
             Rows::Followed(sweep, seconds) => report::write_followed(dir, self.keys.first, sweep, seconds),
         }
@@ -102,6 +110,9 @@ impl SweepOutcome {
             },
             Rows::Setae(rows) if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.peak.is_some())) => {
                 report::draw_swept_setae(dir, keys, rows, title, log)
+            }
+            Rows::Solids(rows) if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.peak.is_some())) => {
+                report::draw_swept_solids(dir, keys, rows, title, log)
             }
             Rows::Rates(rows)
                 if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.failed.is_none())) =>
@@ -131,6 +142,7 @@ impl Outcome for SweepOutcome {
         match &self.rows {
             Rows::Peels(rows) => text(SweepSummary::new(scene, keys, rows, remarks), command),
             Rows::Setae(rows) => text(SweepSummary::of_setae(scene, keys, rows, remarks), command),
+            Rows::Solids(rows) => text(SweepSummary::of_solids(scene, keys, rows, remarks), command),
             Rows::Rates(rows) => text(SweepSummary::of_rates(scene, keys, rows, remarks), command),
             Rows::Followed(sweep, seconds) => text(SweepSummary::followed(scene, keys.first, sweep, seconds), command),
         }

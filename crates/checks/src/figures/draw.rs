@@ -7,6 +7,7 @@ use super::peeling::{
     stiffness, strip, work,
 };
 use super::runner::Runner;
+use super::solid;
 use peelkit_report::{ReportError, write_whole};
 use std::path::{Path, PathBuf};
 
@@ -36,12 +37,14 @@ pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Res
         + out_of_plane::PEELS
         + directions::PEELS
         + spatula_directions::PEELS
+        + solid::PEELS
         + stiffness::PEELS
         + work::PEELS
         + speed::PEELS;
     let runner = Runner::new(total, progress);
     let mut figures = strip::figures(&runner, dir)?;
     figures.extend(spatula::figures(&runner, dir)?);
+    figures.push(solid::figure(&runner, dir)?);
     figures.push(rough::figure(&runner, dir)?);
     figures.push(rough_spatula::figure(&runner, dir)?);
     figures.push(pull::figure(&runner, dir)?);

@@ -5,3 +5,4 @@ mod figure;
 mod numerics;
 mod peeling;
 mod runner;
+mod solid;

@@ -77,7 +77,7 @@ impl<'a> Runner<'a> {
         sweep(&cases, &|| true, &row)
     }
 
-    fn count(&self) {
+    pub fn count(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         (self.progress)(done, self.total);
     }

@@ -1,4 +1,4 @@
-//! What is sampled: one line of `SampleKind::NAMES`, one variant and one generator in `scene/` a kind.
+//! What is sampled: one line of `SampleKind::NAMES`, one variant and one generator in `scene.rs` a kind.
 
 /// What is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -129,6 +129,12 @@ fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting, patience: Patience) -
     let started = ThreadTime::now();
     let found = match scene.describes() {
         Described::Rate(table, _) => in_time(scene, table, &stop),
+        Described::Solid(_) => Found {
+            end: "refused",
+            reason: Some("solids are not sampled".to_owned()),
+            elements: 0,
+            reported: Reported::nothing(),
+        },
         Described::Seta(table) => pulled_off(scene, table, &stop),
         Described::Peel if kind == SampleKind::Observed => tested(scene, way, &stop),
         Described::Peel => peeled(scene, way, &stop),

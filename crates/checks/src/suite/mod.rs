@@ -28,7 +28,7 @@ pub const TOPICS: &[Topic] = &[
     spatula::TOPIC,
     strip_variants::pull::TOPIC,
     strip_variants::laws::TOPIC,
-    strip_variants::friction::TOPIC,
+    strip_variants::turns::FRICTION,
     strip_variants::out_of_plane::TOPIC,
     space::TOPIC,
     grip_in_space::TOPIC,

@@ -8,13 +8,14 @@ use std::fmt::Write;
 
 /// The parameters with their errors, their correlations, the residuals and what is not to be trusted.
 pub fn fit(report: &FitReport) -> String {
-    let FitReport { scene, file, measured, fit, solve_s } = report;
+    let FitReport { scene, file, measured, fit, solve_s, against } = report;
     let mut lines: Vec<(&str, String)> = Vec::new();
     let behind = match measured.behind_jump.len() {
         0 => String::new(),
         points => format!("; {points} behind the jump are not fitted"),
     };
-    lines.push(("data", format!("{} points of {file}{behind}", fit.points.len())));
+    let what = against.map_or("points".to_owned(), |key| format!("steady forces against {}", key.path()));
+    lines.push(("data", format!("{} {what} of {file}{behind}", fit.points.len())));
     if let Some(jump) = fit.jump {
         let modelled = jump.modelled.map_or("none".to_owned(), |at| format!("{at:.6} nm"));
         let used = if jump.used { "" } else { ", not a datum" };
@@ -23,8 +24,17 @@ pub fn fit(report: &FitReport) -> String {
     }
     let freedom = fit.degrees_of_freedom;
     let errors = match fit.estimated_error {
-        Some(error) => format!("standard error of a force {} nN, estimated from them", short(error)),
-        None => format!("chi² {} of {freedom} degrees of freedom", short(fit.sum_of_squares)),
+        Some(error) => {
+            let place =
+                fit.estimated_displacement_error.map(|place| format!(" and of a displacement {} nm", short(place)));
+            format!("standard error of a force {} nN{}, estimated from them", short(error), place.unwrap_or_default())
+        }
+        None => {
+            let place = fit.estimated_displacement_error.map(short);
+            let place =
+                place.map(|place| format!(", standard error of a displacement {place} nm, estimated from them"));
+            format!("chi² {} of {freedom} degrees of freedom{}", short(fit.sum_of_squares), place.unwrap_or_default())
+        }
     };
     lines.push(("residuals", errors));
     for (k, warning) in fit.warnings().iter().enumerate() {

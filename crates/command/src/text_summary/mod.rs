@@ -9,6 +9,7 @@ pub(crate) mod peel;
 pub(crate) mod rate;
 pub(crate) mod sensitivities;
 pub(crate) mod seta;
+pub(crate) mod solid;
 mod stability;
 pub(crate) mod sweep;
 pub(crate) mod swept_rates;

@@ -3,7 +3,7 @@
 use super::layout::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
-use super::units::{Units, WantedUnits, bending_stiffness_text};
+use super::units::{Units, WantedUnits, fitting_text};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
@@ -12,7 +12,7 @@ use peelkit::study::{
     OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity, Stations, TermDecisions,
     TermEffect, WarningKind,
 };
-use peelkit::units::length_text;
+use peelkit::units::{BENDING_STIFFNESSES, LENGTHS};
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
 use std::f64::consts::FRAC_PI_2;
@@ -75,7 +75,10 @@ pub fn peel(
         (first_jump_word(peel), peel.snap_off.map_or_else(none, fold)),
     ]);
     let other = |at: &LimitPoint| peel.snap_off.is_some_and(|first| first.displacement != at.displacement);
-    lines.extend(peel.pad_detachment.filter(other).map(|at| ("pad detachment", fold(at))));
+    // where the pad is the last to let go there is one line
+    let is_last = |at: &LimitPoint| peel.detachment.is_some_and(|last| last.displacement == at.displacement);
+    let pad = peel.pad_detachment.filter(|at| other(at) && !is_last(at));
+    lines.extend(pad.map(|at| ("pad detachment", fold(at))));
     lines.extend(peel.detachment.filter(other).map(|at| ("detachment", fold(at))));
     if peel.snap_off.is_none()
         && let Some(last) = peel.points.last().filter(|_| peel.points.len() > 1)
@@ -103,6 +106,7 @@ pub fn peel(
     let at_stations = stations.iter().flat_map(|stations| station_lines(stations, &units));
     lines.extend(at_stations.enumerate().map(|(index, line)| (if index == 0 { "stations" } else { "" }, line)));
     lines.extend(derived(scene, &units));
+    lines.extend(plane(scene, stability.is_some()));
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
@@ -121,8 +125,9 @@ pub fn peel(
             1e3 * solve_s,
             match effort.pace {
                 Pace::Quick => "",
-                Pace::Wary => ", followed warily",
-                Pace::Watchful => ", followed watchfully",
+                Pace::Wary => ", Newton's method begun again where it did not converge",
+                Pace::Watchful =>
+                    ", Newton's method begun again where it did not converge, the stability of each step checked",
             }
         ),
     ));
@@ -193,11 +198,18 @@ fn accuracy(peel: &Peel) -> Option<String> {
         };
         let reached = match reached > NO_ACCURACY {
             true => format!("none: an error bound is {:.0} % of its number", 100.0 * reached),
-            false => format!("{reached:.0e}"),
+            false => above(reached, peel.asked),
         };
         return Some(format!("{reached}, requested {:e}: {why}", peel.asked));
     }
     matches!(peel.end, PathEnd::Failed(_)).then(|| "the computation stopped short; see `end`".to_owned())
+}
+
+/// A relative error with as many digits as show that it is above what was asked for.
+fn above(reached: f64, asked: f64) -> String {
+    let mut texts = (0..16).map(|digits| format!("{reached:.digits$e}"));
+    let shows = |text: &String| text.parse::<f64>().is_ok_and(|shown| shown > asked);
+    texts.find(shows).unwrap_or_else(|| format!("{reached:e}"))
 }
 
 /// Most limit points that are named as not accurate enough.
@@ -252,6 +264,13 @@ fn in_space(scene: &Scene, peel: &Peel, looked_at: bool) -> Option<(&'static str
     Some(("space", text.to_owned()))
 }
 
+/// That a grip that is free to roll may leave the plane, of a scene of which that can be computed, unless that was looked at.
+fn plane(scene: &Scene, looked_at: bool) -> Option<(&'static str, String)> {
+    let is_open = scene.model.space.is_none() && !looked_at && NotOutOfPlane::of(&scene.model).is_none();
+    let text = "the grip cannot roll; where one that can would leave the plane: peel run --out-of-plane";
+    is_open.then(|| ("plane", text.to_owned()))
+}
+
 /// The grip after each step before the pull.
 fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
     let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
@@ -286,10 +305,10 @@ fn warnings(peel: &Peel) -> Vec<(&'static str, String)> {
 fn terms(peel: &Peel) -> Option<(&'static str, String)> {
     let peak = peel.initiation_peak?.force;
     let effects = peel.terms();
-    let one = |effect: &TermEffect| format!("{} {:+.1e}", effect.term.word(), effect.force / peak);
+    let one = |effect: &TermEffect| format!("{} {:+.1e}", effect.term.meaning(), effect.force / peak);
     let all = effects.iter().map(one).collect::<Vec<_>>().join(", ");
     (!effects.is_empty())
-        .then(|| ("neglected terms", format!("relative change of the initiation peak if the term is neglected: {all}")))
+        .then(|| ("neglected terms", format!("relative change of the initiation peak without a term: {all}")))
 }
 
 /// Which terms were left out, and why the others were not.
@@ -335,11 +354,13 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
         ),
     )];
     lines.extend(slides.map(|force| ("", format!("for a film that slides without friction {force}"))));
-    let supplied = || format!("equilibrium distance {}, a tenth of work over strength", length_text(distance));
+    let supplied =
+        || format!("equilibrium distance {}, a tenth of work over strength", fitting_text(LENGTHS, distance));
     lines.extend(is_supplied.then(|| ("", supplied())));
     let held = section.shear_lag_length.filter(|_| model.adhesion.shear_strength.is_some());
-    let held =
-        held.map(|length| format!("the adhesive holds along the substrate, shear lag length {}", length_text(length)));
+    let held = held.map(|length| {
+        format!("the adhesive holds along the substrate, shear lag length {}", fitting_text(LENGTHS, length))
+    });
     let is_free = held.is_none() && model.friction_law().is_none() && model.angle_to_strip() != FRAC_PI_2;
     lines.extend(held.map(|text| ("shear", text)));
     lines.extend(is_free.then(|| ("friction", "none: what is bonded slides along the substrate".to_owned())));
@@ -350,7 +371,7 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
             units.length.short(section.process_length),
             short(groups.process_length_over_height),
             short(groups.length_over_process_length),
-            bending_stiffness_text(section.stiffness.bending)
+            fitting_text(BENDING_STIFFNESSES, section.stiffness.bending)
         ),
     )]);
     lines
@@ -477,6 +498,15 @@ mod tests {
     use peelkit_scene::BoundsTable;
 
     #[test]
+    fn an_accuracy_that_is_missed_is_not_printed_as_the_one_asked_for() {
+        let text = |reached| above(reached, 1e-6);
+        assert_eq!(
+            [text(3.4e-6), text(1.4e-6), text(1.02e-6), text(1.0000001e-6)],
+            ["3e-6", "1.4e-6", "1.02e-6", "1.0000001e-6"]
+        );
+    }
+
+    #[test]
     fn the_summary_of_a_peel_is_laid_out_in_two_columns() {
         let text = r#"
             strip = { length = "100 nm", height = "10 nm", youngs_modulus = "2 GPa" }
@@ -523,6 +553,7 @@ short
                      displacement limit point at u = 48.215618 ± 3e-6 nm, P = 0.037562729 ± 4e-9 nN
   adhesion           work of adhesion 0.0306396 J/m², Kendall's force at 90 degrees 0.0306162 nN
   strip              process zone 2.1667 nm, ℓ/h = 0.21667, L/ℓ = 46.1532; EI = 166.667 nN nm²
+  plane              the grip cannot roll; where one that can would leave the plane: peel run --out-of-plane
   warnings           the process zone is 0.217 times as long as the section is high, less than 1: sections deform there, and the model keeps them rigid
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms

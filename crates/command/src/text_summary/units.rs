@@ -4,7 +4,7 @@
 use super::number::{short, with_error};
 use crate::stop::Stop;
 use clap::Args;
-use peelkit::units::{self, BENDING_STIFFNESSES, FORCES, LENGTHS, WORKS};
+use peelkit::units::{self, FORCES, LENGTHS, WORKS};
 
 /// A unit of a force, a length or a work, with which numbers are printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -83,9 +83,9 @@ impl Units {
     }
 }
 
-/// A bending stiffness (nN nm²) in the unit that fits it: "416.667 mN mm²".
-pub fn bending_stiffness_text(stiffness: f64) -> String {
-    Unit(units::Unit::fitting(BENDING_STIFFNESSES, stiffness)).short(stiffness)
+/// A number of these units, such as those of lengths, in the one that fits it: "416.667 mN mm²".
+pub fn fitting_text(units: &[units::Unit], value: f64) -> String {
+    Unit(units::Unit::fitting(units, value.abs())).short(value)
 }
 
 /// Most digits of a number without a bound.
@@ -129,6 +129,7 @@ impl Unit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use peelkit::units::BENDING_STIFFNESSES;
 
     fn wanted(text: &str) -> Result<WantedUnits, Stop> {
         UnitsArgs { units: Some(text.to_owned()) }.wanted()
@@ -154,6 +155,7 @@ mod tests {
         assert_eq!(micrometre.fixed(48215.6178228, 6), "48.215617823 µm");
         assert_eq!(piconewton.short(0.0075), "7.5 pN");
         assert_eq!(nanometre.fixed(12345678901234.5, 6), "12345678901234 nm");
-        assert_eq!(bending_stiffness_text(4.16667e20), "416.667 mN mm²");
+        assert_eq!(fitting_text(BENDING_STIFFNESSES, 4.16667e20), "416.667 mN mm²");
+        assert_eq!(fitting_text(LENGTHS, 12345.678901234567), "12.3457 µm");
     }
 }

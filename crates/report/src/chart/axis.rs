@@ -15,6 +15,8 @@ pub struct Axis {
     pub log: bool,
     /// Names of the values 0, 1, 2, … in place of numbers; none of an axis of numbers.
     pub names: Vec<String>,
+    /// A number beyond its ends for which its prefix is chosen as well, so that panels side by side have one unit; 0: none.
+    pub beside: f64,
 }
 
 /// A tick; the small ones between carry no text.
@@ -27,17 +29,18 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
-        Axis { label: label.into(), from, to, log: false, names: Vec::new() }
+        Axis { label: label.into(), from, to, log: false, names: Vec::new(), beside: 0.0 }
     }
 
     /// A logarithmic axis; both ends above zero.
     pub fn log(label: &str, from: f64, to: f64) -> Self {
-        Axis { label: label.into(), from, to, log: true, names: Vec::new() }
+        Axis { log: true, ..Axis::linear(label, from, to) }
     }
 
     /// Of things with names, the first one at the lower end.
     pub fn of_names(names: Vec<String>) -> Self {
-        Axis { from: -0.5, to: names.len() as f64 - 0.5, label: String::new(), log: false, names }
+        let to = names.len() as f64 - 0.5;
+        Axis { names, ..Axis::linear("", -0.5, to) }
     }
 
     /// Around the values with a small margin; a linear axis starts at 0 where that costs little.
@@ -45,7 +48,7 @@ impl Axis {
         let usable = values.into_iter().filter(|v| v.is_finite() && (!log || *v > 0.0));
         let (low, high) = usable.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         if low > high {
-            return Axis { label: label.into(), from: if log { 0.1 } else { 0.0 }, to: 1.0, log, names: Vec::new() };
+            return Axis { log, ..Axis::linear(label, if log { 0.1 } else { 0.0 }, 1.0) };
         }
         if log {
             let margin = (high / low).powf(0.03).max(1.1);
@@ -71,7 +74,7 @@ impl Axis {
         let of_files = |units: &&[Unit]| units.iter().any(|known| known.size == 1.0 && known.name == unit);
         let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_files).filter(|_| !self.log)?;
         let own = units.iter().find(|known| known.size == 1.0)?;
-        let fits = Unit::fitting(units, self.from.abs().max(self.to.abs()));
+        let fits = Unit::fitting(units, self.from.abs().max(self.to.abs()).max(self.beside));
         (fits != *own).then_some((fits, own.name))
     }
 
@@ -106,6 +109,16 @@ impl Axis {
             Some((words, unit)) => format!("{words}({power} {unit}"),
             None => format!("{} ({power})", self.label),
         }
+    }
+
+    /// A value with so many significant digits, in the unit of the title: "4.1 mN".
+    pub(crate) fn text_of(&self, value: f64, digits: i32) -> String {
+        let own = || self.label.rsplit_once('(').and_then(|(_, unit)| unit.strip_suffix(')')).unwrap_or_default();
+        let (value, unit) = match self.prefixed() {
+            Some((unit, _)) => (unit.of(value), unit.name),
+            None => (value, own()),
+        };
+        format!("{} {unit}", significant(value, digits)).trim_end().to_owned()
     }
 
     /// Ticks for about `count` texts.
@@ -232,8 +245,17 @@ mod tests {
             (texts(&force, 4), force.title()),
             (["0", "1", "2", "3", "4"].map(Into::into).to_vec(), "force P (mN)".into())
         );
+        assert_eq!(
+            (force.text_of(2.5e6, 3), Axis::linear("u (nm)", 0.0, 70.0).text_of(3.0, 2)),
+            ("2.50 mN".into(), "3.0 nm".into())
+        );
         assert_eq!(Axis::linear("displacement u (nm)", 0.0, 2e4).title(), "displacement u (µm)");
         assert_eq!(Axis::linear("work W (aJ)", -2e9, 1.0).title(), "work W (nJ)");
+        let lower = Axis { beside: 4.1e6, ..Axis::linear("force P (nN)", 0.0, 8e5) };
+        assert_eq!(
+            (lower.title(), texts(&lower, 4)),
+            ("force P (mN)".into(), ["0.0", "0.2", "0.4", "0.6", "0.8"].map(Into::into).to_vec())
+        );
         assert_eq!(Axis::log("force P (nN)", 1e4, 1e6).title(), "force P (nN)", "a logarithmic axis has powers of ten");
     }
 

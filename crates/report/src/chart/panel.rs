@@ -1,9 +1,9 @@
 //! One panel: axes around a frame, and what is drawn inside it.
 
 use super::axis::{Axis, Tick};
-use super::canvas::{Align, Canvas, Pixel, Stroke};
+use super::canvas::{Align, Canvas, Dash, Pixel, Stroke};
 use super::drawn::Drawn;
-use super::place::{Frame, Places, clip};
+use super::place::{Frame, Places, clip, clip_area, ribbon};
 use super::style::{colour, size};
 use super::symbol::{Symbol, draw_symbol};
 use plotters::style::RGBColor;
@@ -127,6 +127,8 @@ enum Key<'a> {
 
 /// Radius of the disc around a number.
 const BADGE: f64 = 9.0;
+/// A wider line is drawn as an area, which ends at the frame, pixels.
+const THICK: f64 = 4.0;
 /// Room for the sample of a legend row.
 const KEY: f64 = 34.0;
 
@@ -166,11 +168,18 @@ impl Panel {
         let above = (0.5 * (self.frame.left + self.frame.right), self.frame.top - 12.0);
         canvas.text(&self.title, above, size::TEXT, colour::INK, Align::Centre)?;
         for shape in &self.shapes {
-            canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
+            canvas.area(&clip_area(&self.pixels(&shape.corners), &self.frame), shape.colour, shape.opacity)?;
         }
         for line in &self.lines {
-            for piece in clip(&self.pixels(&line.points), &self.frame.grown(1.0)) {
-                canvas.line(&piece, &line.stroke)?;
+            let points = self.pixels(&line.points);
+            let is_thick = line.stroke.width > THICK && line.stroke.dash == Dash::Solid;
+            if is_thick {
+                canvas.area(&clip_area(&ribbon(&points, line.stroke.width), &self.frame), line.stroke.colour, 1.0)?;
+            }
+            for piece in clip(&points, &self.frame.grown(1.0)) {
+                if !is_thick {
+                    canvas.line(&piece, &line.stroke)?;
+                }
                 places.add_line(&piece);
             }
         }
@@ -283,16 +292,23 @@ fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColo
 
 /// What a note shows: all of it, its first line alone where there is no room for more, or its number alone.
 fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, note: &Note) -> Drawn {
+    if note.badge.is_none() && note.text.is_empty() {
+        return Ok(());
+    }
     let indent = if note.badge.is_some() { 2.0 * BADGE } else { 0.0 };
     let size = |lines: &[String]| -> Drawn<(f64, f64)> {
         let mut width = indent;
         for text in lines {
             width = width.max(indent + 5.0 + canvas.length(text, size::TEXT)?);
         }
+        // a number alone keeps apart from the texts of others
+        width += if lines.is_empty() { 2.0 * APART } else { 0.0 };
         Ok((width, (lines.len() as f64 * size::LEADING).max(indent)))
     };
     let mut found = None;
-    for count in [note.text.len(), 1].into_iter().filter(|_| !note.text.is_empty()) {
+    // a number alone has its place as any label, where there is one
+    let fewest = usize::from(!note.text.is_empty());
+    for count in [note.text.len(), fewest] {
         let lines = &note.text[..count];
         let (width, height) = size(lines)?;
         found = found.or_else(|| places.clear_beside(at, width, height).map(|place| (place, lines)));
@@ -314,7 +330,8 @@ fn draw_note(canvas: &Canvas<'_>, places: &mut Places, at: Pixel, mark: &Mark, n
         canvas.area(&place.corners(), plotters::style::WHITE, 0.8)?;
     }
     if let Some(number) = note.badge {
-        let centre = (place.left + BADGE, 0.5 * (place.top + place.bottom));
+        let across = if lines.is_empty() { 0.5 * place.width() } else { BADGE };
+        let centre = (place.left + across, 0.5 * (place.top + place.bottom));
         draw_badge(canvas, number, centre, mark.colour)?;
     }
     let left = if note.badge.is_some() { place.left + indent + 5.0 } else { place.left + 2.0 };

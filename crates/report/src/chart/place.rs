@@ -54,8 +54,8 @@ pub(crate) struct Places {
     room: Frame,
     ink: Vec<Pixel>,
     taken: Vec<Frame>,
-    /// Along the leaders of labels, which no label covers.
-    leaders: Vec<Pixel>,
+    /// The leaders of labels, which no label covers.
+    leaders: Vec<[Pixel; 2]>,
 }
 
 impl Places {
@@ -76,9 +76,8 @@ impl Places {
 
     /// A line from a label to its point.
     pub fn add_leader(&mut self, ends: [Pixel; 2]) {
-        let before = self.ink.len();
         self.add_line(&ends);
-        self.leaders.extend(&self.ink[before..]);
+        self.leaders.push(ends);
     }
 
     /// A spot that nothing may cover.
@@ -117,20 +116,25 @@ impl Places {
         self.take(tries)
     }
 
-    /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place.
+    /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place. Its leader crosses no other
+    /// one where there is such a place.
     pub fn clear_beside(&mut self, at: Pixel, width: f64, height: f64) -> Option<Frame> {
         let mut tries = self.around(at, width, height);
         tries.retain(|(frame, _)| {
-            let led_through = self.leaders.iter().any(|&p| frame.holds(p)) || self.hides(at, frame);
+            let led_through =
+                self.leaders.iter().any(|&[a, b]| clip_segment(a, b, frame).is_some()) || self.hides(at, frame);
             self.covered(frame) == 0.0 && self.outside(frame) < 1.0 && !led_through
         });
+        let apart = |frame: &Frame| !self.leaders.iter().any(|&other| cross([at, frame.nearest(at)], other));
+        let uncrossed: Vec<_> = tries.iter().filter(|(frame, _)| apart(frame)).copied().collect();
+        let tries = if uncrossed.is_empty() { tries } else { uncrossed };
         (!tries.is_empty()).then(|| self.take(tries))
     }
 
     /// Places near `at`, and what speaks against each.
     fn around(&self, at: Pixel, width: f64, height: f64) -> Vec<(Frame, f64)> {
         let mut tries = Vec::new();
-        for distance in [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0] {
+        for distance in [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0, 180.0, 215.0] {
             for turn in 0..24 {
                 let (sin, cos) = (f64::from(turn) * std::f64::consts::PI / 12.0).sin_cos();
                 let (x, y) = (at.0 + distance * cos, at.1 - distance * sin);
@@ -156,8 +160,8 @@ impl Places {
     }
 
     fn take(&mut self, tries: Vec<(Frame, f64)>) -> Frame {
-        let dear = |&(frame, toll): &(Frame, f64)| toll + self.cost(&frame);
-        let best = tries.iter().min_by(|a, b| dear(a).total_cmp(&dear(b))).map_or(self.room, |&(frame, _)| frame);
+        let priced = tries.into_iter().map(|(frame, toll)| (frame, toll + self.cost(&frame)));
+        let best = priced.min_by(|a, b| a.1.total_cmp(&b.1)).map_or(self.room, |(frame, _)| frame);
         self.taken.push(best);
         best
     }
@@ -178,6 +182,53 @@ impl Places {
     fn outside(&self, frame: &Frame) -> f64 {
         (frame.width() * frame.height() - frame.shared(&self.room.grown(-3.0))).max(0.0)
     }
+}
+
+/// Whether two segments cross.
+fn cross([a, b]: [Pixel; 2], [c, d]: [Pixel; 2]) -> bool {
+    let side = |p: Pixel, q: Pixel, of: Pixel| (q.0 - p.0) * (of.1 - p.1) - (q.1 - p.1) * (of.0 - p.0);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// The outline of a line of this width, its ends cut off square.
+pub(crate) fn ribbon(points: &[Pixel], width: f64) -> Vec<Pixel> {
+    let mut apart = points.to_vec();
+    apart.dedup();
+    let beside = |side: f64| {
+        let last = apart.len().saturating_sub(1);
+        let apart = &apart;
+        move |k: usize| {
+            let (from, to) = (apart[k.saturating_sub(1)], apart[(k + 1).min(last)]);
+            let (across, down) = (to.0 - from.0, to.1 - from.1);
+            let half = 0.5 * side * width / across.hypot(down).max(f64::MIN_POSITIVE);
+            (apart[k].0 - half * down, apart[k].1 + half * across)
+        }
+    };
+    (0..apart.len()).map(beside(1.0)).chain((0..apart.len()).rev().map(beside(-1.0))).collect()
+}
+
+/// The part of an area that lies inside a frame, by Sutherland and Hodgman.
+pub(crate) fn clip_area(corners: &[Pixel], frame: &Frame) -> Vec<Pixel> {
+    let inside: [&dyn Fn(Pixel) -> f64; 4] =
+        [&|p: Pixel| p.0 - frame.left, &|p: Pixel| frame.right - p.0, &|p: Pixel| p.1 - frame.top, &|p: Pixel| {
+            frame.bottom - p.1
+        }];
+    let mut left = corners.to_vec();
+    for depth in inside {
+        let before = std::mem::take(&mut left);
+        for (k, &to) in before.iter().enumerate() {
+            let from = before[(k + before.len() - 1) % before.len()];
+            let (a, b) = (depth(from), depth(to));
+            if (a < 0.0) != (b < 0.0) {
+                let t = a / (a - b);
+                left.push((from.0 + t * (to.0 - from.0), from.1 + t * (to.1 - from.1)));
+            }
+            if b >= 0.0 {
+                left.push(to);
+            }
+        }
+    }
+    left
 }
 
 /// The pieces of a line that lie inside a frame.
@@ -249,7 +300,37 @@ mod tests {
         assert!(label.top > 52.0, "{label:?}");
         places.add_leader([(10.0, 95.0), (90.0, 85.0)]);
         let beside = places.clear_beside((50.0, 88.0), 20.0, 8.0).unwrap();
-        assert!(places.leaders.iter().all(|&p| !beside.holds(p)), "{beside:?}");
+        assert!(places.leaders.iter().all(|&[a, b]| clip_segment(a, b, &beside).is_none()), "{beside:?}");
+    }
+
+    /// Of two points one above the other the lower one has its label beside it, though there is more room above.
+    #[test]
+    fn no_leader_crosses_another_where_there_is_room() {
+        let mut places = Places::new(ROOM);
+        places.add_leader([(0.0, 60.0), (100.0, 60.0)]);
+        places.add_line(&[(0.0, 95.0), (100.0, 95.0)]);
+        for (left, right) in [(0.0, 40.0), (60.0, 100.0)] {
+            places.add_spot(Frame { left, top: 66.0, right, bottom: 100.0 });
+        }
+        let at = (50.0, 75.0);
+        let label = places.clear_beside(at, 12.0, 8.0).unwrap();
+        assert!(!cross([at, label.nearest(at)], [(0.0, 60.0), (100.0, 60.0)]), "{label:?}");
+        assert!(cross([(0.0, 0.0), (2.0, 2.0)], [(0.0, 2.0), (2.0, 0.0)]));
+        assert!(!cross([(0.0, 0.0), (2.0, 2.0)], [(0.0, 1.0), (0.0, 3.0)]));
+    }
+
+    #[test]
+    fn a_thick_line_ends_at_the_frame() {
+        let outline = ribbon(&[(-50.0, 95.0), (50.0, 95.0), (50.0, 95.0), (150.0, 95.0)], 20.0);
+        assert_eq!(
+            outline,
+            [(-50.0, 105.0), (50.0, 105.0), (150.0, 105.0), (150.0, 85.0), (50.0, 85.0), (-50.0, 85.0)]
+        );
+        let inside = clip_area(&outline, &ROOM);
+        let (low, high) = inside.iter().fold((f64::INFINITY, 0.0f64), |(low, high), p| (low.min(p.1), high.max(p.1)));
+        assert!(inside.iter().all(|&p| ROOM.holds(p)), "{inside:?}");
+        assert_eq!((low, high), (85.0, 100.0));
+        assert!(clip_area(&outline, &Frame { bottom: 50.0, ..ROOM }).is_empty());
     }
 
     #[test]

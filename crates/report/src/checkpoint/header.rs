@@ -2,8 +2,7 @@
 
 use crate::error::ReportError;
 use crate::record::Object;
-use crate::records::parameters::parameters;
-use crate::records::summary::VERSION;
+use crate::records::summary::{VERSION, parameters};
 use peelkit_scene::Scene;
 use serde::Serialize;
 use serde_json::Value;

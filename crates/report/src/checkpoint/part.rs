@@ -6,14 +6,12 @@ use super::header::older_version;
 use super::journal::OLDER_ENDING;
 use crate::error::ReportError;
 use crate::file::{remove, write_whole};
-use crate::sweep_row::SweepRow;
+use crate::swept::SweepRow;
 use peelkit::study::PeelResult;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-use std::fmt;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
 /// Which part of a divided sweep: `index`, counted from 1, of `of`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -63,6 +63,11 @@ pub(super) fn factor(column: &str, dimension: Option<Dimension>) -> Option<f64> 
     unit_of(column).and_then(read).or_else(|| read(column.rsplit_once('_')?.1))
 }
 
+/// The name of a column without the unit in brackets behind it.
+pub(super) fn without_unit(column: &str) -> &str {
+    column.split_once(['(', '[']).map_or(column, |(name, _)| name).trim()
+}
+
 /// What stands in brackets behind a name.
 fn unit_of(column: &str) -> Option<&str> {
     let (_, rest) = column.split_once(['(', '['])?;

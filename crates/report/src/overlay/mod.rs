@@ -6,7 +6,7 @@ mod measured;
 mod picture;
 mod result;
 
-pub use force_curve::read_force_curve;
+pub use force_curve::{ForceRecord, read_force_curve};
 pub use measured::Measured;
 pub use picture::draw_overlay;
 pub use result::{Kind, ResultFile};

@@ -2,7 +2,7 @@
 
 use super::OverlayError;
 use super::columns::Columns;
-use crate::swept_keys;
+use crate::swept;
 use peelkit_scene::{KEYS, Key};
 use std::path::{Path, PathBuf};
 
@@ -96,7 +96,7 @@ impl ResultFile {
 
 /// Whether a column is that of the key: its path, with its unit behind it, or that of the library.
 fn names(key: &Key, column: &str) -> bool {
-    [key.usual_unit(), key.unit()].iter().any(|unit| column == swept_keys::column(key, unit))
+    [key.usual_unit(), key.unit()].iter().any(|unit| column == swept::column(key, unit))
 }
 
 /// The table that a path means.

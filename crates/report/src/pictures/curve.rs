@@ -12,7 +12,7 @@ use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use crate::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
-use peelkit::units::{FORCES, LENGTHS};
+use peelkit::units::FORCES;
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -109,16 +109,20 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
                 Some(peak) => format!("whole path without its peak, {}", with_unit(FORCES, peak, peak, 4)),
                 None => "whole path".to_owned(),
             };
-            vec![panel(frame(366.0, wide), &curve, 1.04 * farthest, force, &title), first]
+            let mut whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, force, &title);
+            whole.y.beside = first.y.to;
+            vec![whole, first]
         }
         None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
     };
     name_stability(&mut panels[0], &curve);
-    for mark in marks(peel, numbered, [farthest, highest(&curve)]) {
-        let early = zoom.is_some_and(|to| mark.at.0 <= to) || !panels[0].shows(mark.at);
-        let place = if early { panels.len() - 1 } else { 0 };
-        panels[place].marks.push(mark);
-    }
+    let panel_of = |at: (f64, f64)| {
+        let early = zoom.is_some_and(|to| at.0 <= to) || !panels[0].shows(at);
+        if early { panels.len() - 1 } else { 0 }
+    };
+    let marks = marks(peel, numbered, |name, at| values(name, at, &panels[panel_of(at)]));
+    let placed: Vec<_> = marks.into_iter().map(|mark| (panel_of(mark.at), mark)).collect();
+    placed.into_iter().for_each(|(panel, mark)| panels[panel].marks.push(mark));
     name_symbols(&mut panels[0]);
     Picture { title: title.into(), height: HEIGHT, panels }
 }
@@ -193,8 +197,8 @@ fn name_symbols(panel: &mut Panel) {
     }
 }
 
-/// Limit points and peak with their values, then the numbered points. `largest` displacement (nm) and force (nN) choose the units.
-fn marks(peel: &Peel, numbered: &[usize], largest: [f64; 2]) -> Vec<Mark> {
+/// Limit points and peak with their values, then the numbered points. `label` is what stands beside a point with a name or none.
+fn marks(peel: &Peel, numbered: &[usize], label: impl Fn(Option<&str>, (f64, f64)) -> Note) -> Vec<Mark> {
     // Those with a name choose their places first.
     let mut limits: Vec<(Option<&str>, &LimitPoint)> =
         peel.limit_points.iter().map(|l| (title_of(peel, l), l)).collect();
@@ -211,9 +215,10 @@ fn marks(peel: &Peel, numbered: &[usize], largest: [f64; 2]) -> Vec<Mark> {
         let is_faint = limit.kind == LimitPointKind::Load && limit.force.abs() < FAINT * high;
         let wanted = name.is_some() || (labelled.len() < LABELLED && !is_faint && !labelled.iter().any(near));
         labelled.extend(wanted.then_some(limit));
-        let note = wanted.then(|| values(name, limit.displacement, limit.force, largest));
+        let at = (limit.displacement, limit.force);
+        let note = wanted.then(|| label(name, at));
         let symbol = if limit.kind == LimitPointKind::Displacement { Symbol::Diamond } else { Symbol::Triangle };
-        marks.push(Mark { at: (limit.displacement, limit.force), symbol, colour: colour::INK, name: None, note });
+        marks.push(Mark { at, symbol, colour: colour::INK, name: None, note });
     }
     for (n, &i) in numbered.iter().enumerate() {
         let (badge, colour) = (Some(n + 1), order_shade(n, numbered.len()));
@@ -237,10 +242,9 @@ fn marks(peel: &Peel, numbered: &[usize], largest: [f64; 2]) -> Vec<Mark> {
 /// Marks where the path loses its stability out of the plane.
 pub(super) fn mark_loss(picture: &mut Picture, loss: &OutOfPlaneLoss) {
     let at = (loss.displacement, loss.force);
-    let largest = picture.panels.first().map_or([0.0; 2], |panel| [panel.x.to, panel.y.to]);
-    let note = Some(values(Some("leaves the plane"), loss.displacement, loss.force, largest));
     // the panel of the initiation is the last one
     if let Some(panel) = picture.panels.iter_mut().rfind(|panel| panel.shows(at)) {
+        let note = Some(values(Some("leaves the plane"), at, panel));
         panel.marks.push(Mark { at, symbol: Symbol::Square, colour: colour::VERMILLION, name: None, note });
     }
 }
@@ -307,10 +311,11 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
 }
 
-fn values(name: Option<&str>, u: f64, force: f64, [wide, high]: [f64; 2]) -> Note {
+/// Displacement and force of a point in the units of its panel.
+fn values(name: Option<&str>, (u, force): (f64, f64), panel: &Panel) -> Note {
     let mut text: Vec<String> = name.map(String::from).into_iter().collect();
-    text.push(format!("u = {}", with_unit(LENGTHS, u, wide, 4)));
-    text.push(format!("P = {}", with_unit(FORCES, force, high, 4)));
+    text.push(format!("u = {}", panel.x.text_of(u, 4)));
+    text.push(format!("P = {}", panel.y.text_of(force, 4)));
     Note { badge: None, text }
 }
 

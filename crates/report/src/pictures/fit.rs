@@ -10,8 +10,9 @@ use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
-use peelkit::study::{Fit, FittedParameter, MeasuredCurve, PointPlace, Profile};
-use peelkit_scene::find_key;
+use crate::records::fit::FitReport;
+use peelkit::study::{Fit, FittedParameter, PointPlace, Profile};
+use peelkit_scene::{Key, find_key};
 use std::path::{Path, PathBuf};
 
 const LEFT: f64 = 88.0;
@@ -21,8 +22,9 @@ const RIGHT: f64 = WIDTH as f64 - 18.0;
 /// their standard errors; and `profiles.svg` and `profiles.png` where there are profile likelihoods.
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]).
-pub fn draw_fit(measured: &MeasuredCurve, fit: &Fit, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = save(&curves(measured, fit, title), dir, "fit")?;
+pub fn draw_fit(of: &FitReport, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+    let (fit, title) = (of.fit, of.scene.title.as_str());
+    let mut files = save(&curves(of), dir, "fit")?;
     let profiles: Vec<_> =
         fit.parameters.iter().filter_map(|parameter| Some((parameter, parameter.profile.as_ref()?))).collect();
     if !profiles.is_empty() {
@@ -31,7 +33,9 @@ pub fn draw_fit(measured: &MeasuredCurve, fit: &Fit, title: &str, dir: &Path) ->
     Ok(files)
 }
 
-fn curves(measured: &MeasuredCurve, fit: &Fit, title: &str) -> Picture {
+fn curves(of: &FitReport) -> Picture {
+    let FitReport { scene, measured, fit, against, .. } = of;
+    let scale = against.map_or(1.0, |key| key.per_usual_unit());
     let dot = |at: (f64, f64), colour: RGBColor, name: &str| Mark {
         at,
         symbol: Symbol::Dot,
@@ -40,7 +44,7 @@ fn curves(measured: &MeasuredCurve, fit: &Fit, title: &str) -> Picture {
         note: None,
     };
     let mut marks: Vec<Mark> =
-        fit.points.iter().map(|p| dot((p.displacement, p.force), colour::INK, "measured")).collect();
+        fit.points.iter().map(|p| dot((scale * p.displacement, p.force), colour::INK, "measured")).collect();
     let behind = measured.behind_jump.iter();
     marks.extend(behind.map(|p| dot((p.displacement, p.force), colour::GREY, "measured behind the jump, not fitted")));
     if let Some((jump, modelled)) = fit.jump.and_then(|jump| Some((jump.displacement, jump.modelled?))) {
@@ -50,7 +54,7 @@ fn curves(measured: &MeasuredCurve, fit: &Fit, title: &str) -> Picture {
         marks.push(Mark { symbol: Symbol::Triangle, ..dot((jump, 0.0), colour::GREEN, "measured jump") });
     }
     let line = |points: &[(f64, f64)], stroke, name: &str| Line {
-        points: points.to_vec(),
+        points: points.iter().map(|&(x, y)| (scale * x, y)).collect(),
         stroke,
         name: Some(name.to_owned()),
     };
@@ -59,16 +63,21 @@ fn curves(measured: &MeasuredCurve, fit: &Fit, title: &str) -> Picture {
         line(&fit.curve, Stroke::solid(colour::BLUE, 2.0), "fitted model"),
     ];
     let places = || marks.iter().map(|mark| mark.at);
-    let x = Axis::around("displacement of the machine (nm)", places().map(|at| at.0), false);
-    let fitted = fit.curve.iter().filter(|at| at.0 <= x.to).map(|at| at.1);
-    let y = Axis::around("force P (nN)", places().map(|at| at.1).chain(fitted), false);
+    let across = against.map_or_else(|| "displacement of the machine (nm)".to_owned(), Key::axis_title);
+    let x = Axis::around(&across, places().map(|at| at.0), false);
+    let fitted = fit.curve.iter().filter(|at| scale * at.0 <= x.to).map(|at| at.1);
+    let y = Axis::around(
+        if against.is_some() { "steady force P (nN)" } else { "force P (nN)" },
+        places().map(|at| at.1).chain(fitted),
+        false,
+    );
     let frame = Frame { left: LEFT, top: 40.0, right: RIGHT, bottom: 340.0 };
     let upper = Panel { lines, marks, ..Panel::new(frame, x.clone(), y) };
-    Picture { title: title.into(), height: 614, panels: vec![upper, residuals(fit, x)] }
+    Picture { title: scene.title.clone(), height: 614, panels: vec![upper, residuals(fit, x, scale)] }
 }
 
-fn residuals(fit: &Fit, x: Axis) -> Panel {
-    let residual = |p: &peelkit::study::FittedPoint| (p.displacement, (p.modelled - p.force) / p.error);
+fn residuals(fit: &Fit, x: Axis, scale: f64) -> Panel {
+    let residual = |p: &peelkit::study::FittedPoint| (scale * p.displacement, (p.modelled - p.force) / p.error);
     let shade = |place| if place == PointPlace::OnBranch { colour::INK } else { colour::ORANGE };
     let marks: Vec<Mark> = fit.points.iter().map(|p| Mark::dot(residual(p), shade(p.place))).collect();
     let y = Axis::around("residual / standard error", marks.iter().map(|mark| mark.at.1).chain([-3.0, 3.0]), false);

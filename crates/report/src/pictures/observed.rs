@@ -11,7 +11,7 @@ use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use crate::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};
-use peelkit::units::{FORCES, LENGTHS, WORKS};
+use peelkit::units::WORKS;
 use std::path::{Path, PathBuf};
 
 const HEIGHT: u32 = 460;
@@ -57,7 +57,7 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
     let mut name = Some("jump".to_owned());
     // the pull-off force first: it has the best place of all labels
     if let Some(peak) = test.pull_off {
-        let text = vec!["pull-off force".to_owned(), with_unit(FORCES, peak.force, panel.y.to, 4)];
+        let text = vec!["pull-off force".to_owned(), panel.y.text_of(peak.force, 4)];
         let note = Some(Note { badge: None, text });
         let at = (peak.machine, peak.force);
         panel.marks.push(Mark { at, symbol: Symbol::Dot, colour: colour::BLUE, name: None, note });
@@ -68,7 +68,7 @@ fn panel(test: &Observed, frame: Frame, to: f64) -> Panel {
         panel.lines.push(Line { points: vec![from, landed], stroke, name: name.take() });
         let text = vec![
             jump_title(&test.jumps, n).to_owned(),
-            format!("U = {}", with_unit(LENGTHS, jump.machine, panel.x.to, 4)),
+            format!("U = {}", panel.x.text_of(jump.machine, 4)),
             format!("released {}", with_unit(WORKS, jump.released, jump.released.abs(), 4)),
         ];
         let note = (n < LABELLED).then_some(Note { badge: None, text });

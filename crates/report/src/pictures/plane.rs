@@ -5,13 +5,14 @@ use crate::chart::RGBColor;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
-use crate::chart::panel::{Line, Panel, Shape};
+use crate::chart::panel::{Line, Mark, Note, Panel, Shape};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
+use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
-use crate::sweep_row::SweepRow;
-use crate::swept_keys::{SweptKeys, as_given};
+use crate::swept::SweepRow;
+use crate::swept::{SweptKeys, as_given};
 use std::path::{Path, PathBuf};
 
 /// Shades of the colour bar.
@@ -26,6 +27,8 @@ const CONTOUR: f64 = 1.4;
 const TOP: f64 = 58.0;
 /// About so many contours.
 const CONTOURS: usize = 6;
+/// Of a map with more pairs the computed ones are not marked.
+const MARKED: usize = 400;
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: maps of the peak force and of the work to snap-off over the values of two keys, on
 /// logarithmic axes where `log` is set. A pair without a result is grey.
@@ -93,7 +96,7 @@ fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values
 }
 
-/// One axis with the values of its key: cells reach half of the way to the next value.
+/// One axis with the values of its key, from the first to the last: cells reach half of the way to the next value.
 struct Grid {
     axis: Axis,
     values: Vec<f64>,
@@ -110,15 +113,12 @@ impl Grid {
         let lone = if log { 0.1 } else { 0.1 * places[0].abs().max(f64::MIN_POSITIVE) };
         let (first, last) = match places[..] {
             [only] => (only - lone, only + lone),
-            _ => {
-                let n = places.len();
-                (places[0] - half(places[0], places[1]), places[n - 1] + half(places[n - 2], places[n - 1]))
-            }
+            _ => (places[0], places[places.len() - 1]),
         };
         let mut ends = vec![first];
         ends.extend(places.windows(2).map(|pair| pair[0] + half(pair[0], pair[1])));
         ends.push(last);
-        let axis = Axis { label, from: off(first), to: off(last), log, names: Vec::new() };
+        let axis = Axis { log, ..Axis::linear(&label, off(first), off(last)) };
         let edges = ends.iter().map(|end| (end - first) / (last - first)).collect();
         Self { axis, values, edges }
     }
@@ -163,13 +163,16 @@ impl Map {
         let (low, high) = known().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let log = low > 0.0 && high > 8.0 * low;
         let margin = if high > low { 0.0 } else { 0.05 * high.abs().max(f64::MIN_POSITIVE) };
-        let scale = Axis { label: label.into(), from: low - margin, to: high + margin, log, names: Vec::new() };
+        let scale = Axis { log, ..Axis::linear(label, low - margin, high + margin) };
         let bottom = top + 300.0;
         let frame = Frame { left: 88.0, top, right: f64::from(WIDTH) - 170.0, bottom };
         let mut map = Panel::new(frame, axes[0].axis.clone(), axes[1].axis.clone());
-        if self.values.iter().any(Option::is_none) {
-            map.title = "grey: does not occur, or was not found".into();
-        }
+        let is_marked = self.values.len() <= MARKED;
+        let says = [
+            is_marked.then_some("dots: computed"),
+            self.values.iter().any(Option::is_none).then_some("grey: does not occur, or was not found"),
+        ];
+        map.title = says.into_iter().flatten().collect::<Vec<_>>().join("; ");
         for (index, value) in self.values.iter().enumerate() {
             let ([left, right], [lower, upper]) =
                 (axes[0].cell(index % self.columns), axes[1].cell(index / self.columns));
@@ -177,10 +180,30 @@ impl Map {
             let colour = value.map_or(colour::PALE, |value| shade(scale.place(value)));
             map.shapes.push(Shape { corners, colour, opacity: 1.0 });
         }
-        for level in scale.ticks(CONTOURS).iter().filter(|tick| tick.text.is_some()) {
-            map.lines.extend(self.contour(axes, scale.place(level.value), &scale));
+        for tick in scale.ticks(CONTOURS) {
+            let Some(text) = tick.text else { continue };
+            let pieces = self.contour(axes, scale.place(tick.value), &scale);
+            // its number stands near the middle of it
+            map.marks.extend(pieces.get(pieces.len() / 2).map(|piece| Mark {
+                at: piece.points[0],
+                symbol: Symbol::None,
+                colour: colour::INK,
+                name: None,
+                note: Some(Note { badge: None, text: vec![text] }),
+            }));
+            map.lines.extend(pieces);
+        }
+        if is_marked {
+            map.marks.extend(self.computed(axes));
         }
         [map, colour_bar(scale, top, bottom)]
+    }
+
+    /// A dot at each pair that has a result.
+    fn computed(&self, axes: &[Grid; 2]) -> impl Iterator<Item = Mark> {
+        let at = |k: usize| (axes[0].values[k % self.columns], axes[1].values[k / self.columns]);
+        let known = self.values.iter().enumerate().filter(|(_, value)| value.is_some());
+        known.map(move |(k, _)| Mark::dot(at(k), WHITE))
     }
 
     /// The contour of a level, 0 to 1 along the scale: straight in each triangle of four neighbours and their mean.
@@ -240,10 +263,10 @@ mod tests {
     #[test]
     fn cells_meet_half_way_between_values() {
         let grid = Grid::new("x".into(), vec![1.0, 2.0, 4.0], false);
-        assert_eq!((grid.axis.from, grid.axis.to), (0.5, 5.0));
+        assert_eq!((grid.axis.from, grid.axis.to), (1.0, 4.0));
         assert!((grid.at(grid.edges[1]) - 1.5).abs() < 1e-12 && (grid.at(grid.edges[2]) - 3.0).abs() < 1e-12);
         let log = Grid::new("x".into(), vec![1.0, 100.0], true);
-        assert!((log.axis.from - 0.1).abs() < 1e-12 && (log.at(log.edges[1]) - 10.0).abs() < 1e-9);
+        assert!((log.axis.from - 1.0).abs() < 1e-12 && (log.at(log.edges[1]) - 10.0).abs() < 1e-9);
         assert!(Grid::new("x".into(), vec![3.0], false).axis.from < 3.0);
     }
 }

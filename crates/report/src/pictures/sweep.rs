@@ -8,7 +8,7 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
-use crate::sweep_row::SweepRow;
+use crate::swept::SweepRow;
 use peelkit::analytic::kendall_force;
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};

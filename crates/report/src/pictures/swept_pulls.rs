@@ -10,8 +10,8 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::WIDTH;
 use crate::error::ReportError;
-use crate::pull_row::PullRow;
-use crate::swept_keys::SweptKeys;
+use crate::swept::PullRow;
+use crate::swept::SweptKeys;
 use plotters::style::RGBColor;
 use std::path::{Path, PathBuf};
 

@@ -3,9 +3,9 @@
 use super::pulled::{Contact, PointAtRate, PulledAtRate};
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
+use crate::record::write_table;
 use crate::record::{Cell, Fields, Record, columns_of};
 use crate::reference::{Output, merged};
-use crate::table::write_table;
 use peelkit::solve::time::EnergyBalance;
 use std::path::{Path, PathBuf};
 

@@ -4,14 +4,12 @@ pub(crate) mod curve;
 pub(crate) mod picture;
 pub(crate) mod pulled;
 pub(crate) mod summary;
-pub(crate) mod sweep_picture;
-pub(crate) mod sweep_row;
-pub(crate) mod sweep_table;
+pub(crate) mod sweep;
 
 use super::record::Record;
 use super::reference::Output;
 
-use sweep_row::RateRow;
+use sweep::RateRow;
 
 /// What is written of pulls at a rate.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -1,17 +1,15 @@
 //! A fit: fit.csv, profiles.csv where there are profiles, and the object summary.json. Units stand in the names.
 
-use super::parameters::parameters;
-use super::summary::{Found, Summary};
+use super::summary::{Found, Summary, parameters};
 use crate::error::ReportError;
-use crate::fit_report::FitReport;
-use crate::record::{Fields, Object, Record};
+use crate::record::{Fields, Object, Record, write_table};
 use crate::reference::Output;
-use crate::table::write_table;
 use crate::unknown_error::unknown_error;
 use peelkit::study::{
-    Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, PairDetermined, PointPlace,
+    Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, MeasuredCurve, PairDetermined,
+    PointPlace,
 };
-use peelkit_scene::Scene;
+use peelkit_scene::{Key, Scene, find_key};
 use std::path::{Path, PathBuf};
 
 impl Record for FittedPoint {
@@ -24,6 +22,25 @@ impl Record for FittedPoint {
         of.field("residual", "modelled less measured force, over that", |point| (point.modelled - point.force) / point.error);
         of.field("weight", "how much the point counts: 1 with `loss = \"squares\"`, less for one far from the curve with another", |point| point.weight);
         of.field("place", "`branch`; `before start`: before the path of the model begins; `behind jump`: behind its first jump", |point| place_word(point.place));
+    }
+}
+
+/// A steady force.
+struct SteadyRow<'a> {
+    key: &'a Key,
+    point: &'a FittedPoint,
+}
+
+impl Record for SteadyRow<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("key", "the key against which steady forces were measured", |row| row.key.path());
+        of.field("value", "of the key, in the unit of the library, an angle in rad", |row| row.point.displacement);
+        of.field("force_nN", "as measured", |row| row.point.force);
+        of.field("modelled_nN", "plateau of the fitted model", |row| row.point.modelled);
+        of.field("standard_error_nN", "of the measured force", |row| row.point.error);
+        of.field("residual", "modelled less measured force, over that", |row| (row.point.modelled - row.point.force) / row.point.error);
+        of.field("weight", "how much the force counts, as in fit.csv of a curve", |row| row.point.weight);
     }
 }
 
@@ -51,11 +68,17 @@ impl Record for ProfileRow<'_> {
     }
 }
 
-/// Writes fit.csv, one row a measured point, and profiles.csv, one row a point of a profile likelihood, where there is one.
+/// Writes fit.csv, one row a measured point or a steady force against a key, and profiles.csv, one row a point of a profile likelihood, where there is one.
 ///
 /// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
-pub fn write_fit(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = vec![write_table(dir, "fit.csv", &fit.points)?];
+pub fn write_fit(dir: &Path, fit: &Fit, against: Option<&Key>) -> Result<Vec<PathBuf>, ReportError> {
+    let mut files = vec![match against {
+        None => write_table(dir, "fit.csv", &fit.points)?,
+        Some(key) => {
+            let rows: Vec<_> = fit.points.iter().map(|point| SteadyRow { key, point }).collect();
+            write_table(dir, "fit.csv", rows)?
+        }
+    }];
     let profiles = fit.parameters.iter().filter_map(|parameter| Some((&parameter.key, parameter.profile.as_ref()?)));
     let rows: Vec<_> = profiles
         .flat_map(|(key, profile)| profile.points.iter().map(|&(value, excess)| ProfileRow { key, value, excess }))
@@ -88,9 +111,11 @@ impl Record for FitReport<'_> {
         of.field("pairs", "two parameters that the curve hardly tells apart, one of them poorly determined", |found| found.fit.pairs.iter().map(|pair| Pair { fit: found.fit, pair }).collect::<Vec<_>>());
         of.group("data", "what was measured", |of| {
             of.field("file", "the file as it was named on the command line", |found| found.file);
+            of.field("against", "the key against which steady forces were measured; null of a curve", |found| found.against.map(Key::path));
             of.field("points", "points that were fitted", |found| found.fit.points.len());
             of.field("behind_jump", "points behind the measured jump, which were not", |found| found.measured.behind_jump.len());
             of.field("estimated_error_nN", "standard error of a force, estimated from the residuals; null where it was given", |found| found.fit.estimated_error);
+            of.field("estimated_displacement_error_nm", "standard error of a displacement, likewise; null where `fit.displacement_error` gives it", |found| found.fit.estimated_displacement_error);
             of.field("before_start_of_model", "points before the path of the model begins", |found| found.fit.count(PointPlace::BeforeStart));
             of.field("behind_jump_of_model", "points behind the first jump of the model", |found| found.fit.count(PointPlace::BehindJump));
         });
@@ -98,6 +123,7 @@ impl Record for FitReport<'_> {
         of.field("sum_of_squares", "of the residuals over their standard errors", |found| found.fit.sum_of_squares);
         of.field("degrees_of_freedom", "data less parameters", |found| found.fit.degrees_of_freedom);
         of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero", |found| found.fit.displacement_zero);
+        of.field("force_zero_nN", "the measured force at which the force of the model is zero", |found| found.fit.force_zero);
         of.field("warnings", "what is not to be trusted", |found| found.fit.warnings());
         of.field("unknown_error", "of a seta and of a pull at a rate: which part of the errors of the curve has no bound; else null", |found| unknown_error(found.scene));
         of.field("paths", "how many paths were computed", |found| found.fit.paths);
@@ -199,6 +225,39 @@ pub(crate) fn outputs() -> Vec<Output> {
     vec![
         Output::object("peel fit", FitSummary::keys()),
         Output::table("fit.csv", FittedPoint::keys()),
+        Output::table("fit.csv of steady forces", SteadyRow::keys()),
         Output::table("profiles.csv", ProfileRow::keys()),
     ]
+}
+
+// -- What a fit is reported with besides its result: its scene, its file and how long it took --
+
+/// A fit with where it comes from.
+#[derive(Clone, Copy, Debug)]
+pub struct FitReport<'a> {
+    /// The scene with the parameters at which the search began
+    pub scene: &'a Scene,
+    /// The file of the measured curve, as it was named
+    pub file: &'a str,
+    /// What was read from it
+    pub measured: &'a MeasuredCurve,
+    /// What was found
+    pub fit: &'a Fit,
+    /// Seconds that it took
+    pub solve_s: f64,
+    /// The key against which steady forces were measured; none of a curve
+    pub against: Option<&'a Key>,
+}
+
+impl FitReport<'_> {
+    /// The scene with the parameters that were found.
+    pub fn fitted_scene(&self) -> Scene {
+        let numbers = self.fit.parameters.iter().map(|parameter| (parameter.key.as_str(), parameter.value));
+        self.scene.with_numbers(numbers)
+    }
+
+    /// The unit of a parameter; empty where it has none.
+    pub fn unit(&self, index: usize) -> &'static str {
+        find_key(&self.fit.parameters[index].key).map_or("", Key::unit)
+    }
 }

@@ -6,7 +6,6 @@ pub(crate) mod model;
 pub(crate) mod observed;
 pub(crate) mod optimisation;
 mod out_of_plane;
-pub(crate) mod parameters;
 pub(crate) mod path;
 pub(crate) mod peel;
 pub(crate) mod summary;

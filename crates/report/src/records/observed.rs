@@ -3,9 +3,9 @@
 use super::located::finite;
 use crate::error::ReportError;
 use crate::names::{jump_word, test_end_reason, test_end_word};
+use crate::record::write_table;
 use crate::record::{Bounded, Fields, Record};
 use crate::reference::Output;
-use crate::table::write_table;
 use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, TestPoint, UnknownJumpError};
 use std::path::{Path, PathBuf};
 

@@ -2,9 +2,9 @@
 
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
+use crate::record::write_table;
 use crate::record::{Fields, Record};
 use crate::reference::Output;
-use crate::table::write_table;
 use crate::unknown_error::unknown_error;
 use peelkit::study::optimisation::{
     ActiveConstraint, Certificate, DerivativeFreeCheck, Design, DesignProblem, DesignVariable, Evaluation, Goal,

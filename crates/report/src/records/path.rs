@@ -3,8 +3,8 @@
 use crate::error::ReportError;
 use crate::names::limit_point_kind_word;
 use crate::record::{Fields, Record};
+use crate::record::{table, write_text};
 use crate::reference::Output;
-use crate::table::{table, write_text};
 use peelkit::model::SpatialGrip;
 use peelkit::study::{LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel, Station, StationAt, Stations};
 use std::io;

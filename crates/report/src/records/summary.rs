@@ -1,11 +1,12 @@
 //! What was found as one JSON object, summary.json, which is also what `--json` prints: where it comes from, what was found, and of what scene.
 
-use super::parameters::parameters;
 use crate::error::ReportError;
 use crate::file::write_whole;
-use crate::record::{Fields, Object, Record};
-use peelkit_scene::Scene;
+use crate::record::{Cell, Content, Fields, Object, Record};
+use peelkit_scene::{KEYS, Key, Kind, Scene, Value};
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -81,5 +82,87 @@ impl<'a, F: Found> Summary<'a, F> {
 impl<F: Found> Serialize for Summary<'_, F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         self.object().serialize(serializer)
+    }
+}
+
+// -- The scene as it was computed, as an object of summary.json --
+
+/// The scene as it was computed, defaults and overrides in, a table of it an object; units in the names.
+pub(crate) fn parameters(scene: &Scene) -> Object {
+    // the title has a place of its own
+    let alone = |key: &&Key| key.table.is_empty() && !matches!(key.kind, Kind::Text(_)) && key.belongs_to(scene);
+    let given = |key: &'static Key| Some((Cow::from(key.name), given(&key.value(scene)?)));
+    let mut object: Vec<_> = KEYS.iter().filter(alone).filter_map(given).collect();
+    let stands = |key: &Key| !key.table.is_empty() && key.belongs_to(scene);
+    let tables = KEYS.chunk_by(|a, b| a.table == b.table).filter(|keys| keys.iter().any(stands));
+    object.extend(tables.map(|keys| (Cow::from(keys[0].table), Cell::Object(table(scene, keys)))));
+    Object(object)
+}
+
+fn table(scene: &Scene, keys: &[Key]) -> Object {
+    let entry = |key: &Key| {
+        let unit = key.unit().replace('/', "_per_");
+        let name = if unit.is_empty() { key.name.to_owned() } else { format!("{}_{unit}", key.name) };
+        let cell = match key.value(scene) {
+            Some(Value::Number(count)) if key.is_written_whole(count) => Cell::Count(count as u64),
+            value => value.as_ref().map_or(Cell::Nothing, given),
+        };
+        (Cow::from(name), cell)
+    };
+    Object(keys.iter().filter(|key| key.belongs_to(scene)).map(entry).collect())
+}
+
+/// A value as a scene holds it.
+fn given(value: &Value) -> Cell {
+    match value {
+        Value::Number(number) => Cell::Number(*number),
+        Value::Text(text) => text.as_str().cell(),
+        Value::Flag(flag) => Cell::Flag(*flag),
+        Value::List(items) => Cell::List(items.iter().map(given).collect()),
+        Value::Table(entries) => {
+            Cell::Object(Object(entries.iter().map(|(name, value)| (Cow::from(name.clone()), given(value))).collect()))
+        }
+        Value::Other(_) => Cell::Nothing,
+    }
+}
+
+// -- parameters.toml: the scene as it was computed, to be run again --
+
+const PARAMETERS: &str = "parameters.toml";
+
+/// Writes parameters.toml: the scene with its defaults and with what was set on the command line, which `peel run` computes to the same
+/// numbers. `command`, the command line, stands above it as a remark.
+///
+/// Fails with [`ReportError::Write`] where the file cannot be written.
+pub fn write_parameters(dir: &Path, scene: &Scene, command: &str) -> Result<PathBuf, ReportError> {
+    let path = dir.join(PARAMETERS);
+    let command = command.lines().collect::<Vec<_>>().join(" ");
+    let text = format!(
+        "# The scene with its defaults and with what --set has changed, by peel {VERSION}:\n#   {command}\n{}",
+        scene.to_toml()
+    );
+    write_whole(&path, text.as_bytes())?;
+    Ok(path)
+}
+
+/// The command line that stands above the scene of parameters.toml in this folder; none where there is no such file.
+pub fn command_of_results(dir: &Path) -> Option<String> {
+    let text = fs::read_to_string(dir.join(PARAMETERS)).ok()?;
+    Some(text.lines().nth(1)?.strip_prefix("#   ")?.to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_is_read_again() {
+        let scene = "strip = { length = \"100 nm\", height = \"10 nm\", youngs_modulus = \"2 GPa\" }\n\
+                     adhesion = { hamaker_constant = \"1e-19 J\", equilibrium_distance = \"0.4 nm\" }\n";
+        let scene = Scene::parse("a.toml", scene, &[]).unwrap();
+        let dir = tempfile::tempdir().unwrap();
+        assert_eq!(command_of_results(dir.path()), None);
+        write_parameters(dir.path(), &scene, "peel run a.toml").unwrap();
+        assert_eq!(command_of_results(dir.path()).as_deref(), Some("peel run a.toml"));
     }
 }

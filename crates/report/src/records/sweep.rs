@@ -3,11 +3,10 @@
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
 use crate::names::end_word;
+use crate::record::write_text;
 use crate::record::{Bounded, Cell, Fields, Object, Record, columns, csv};
 use crate::reference::Output;
-use crate::sweep_row::SweepRow;
-use crate::swept_keys::{SweptKeys, as_given};
-use crate::table::write_text;
+use crate::swept::{SweepRow, SweptKeys, as_given};
 use peelkit::study::{self, FollowedPoint, FollowedRow, FollowedSweep, LimitPoint, PeelResult, PointKind};
 use peelkit_scene::{Key, Scene};
 use std::borrow::Cow;

@@ -2,9 +2,9 @@
 
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
+use crate::record::write_table;
 use crate::record::{Fields, Record};
 use crate::reference::Output;
-use crate::table::write_table;
 use peelkit::study::coarsening::{PadEnd, SheetLimit, SheetNode, SheetTable, TipPlace, TipSheet, TipTable};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};

@@ -3,9 +3,9 @@
 use super::summary::{Found, Summary};
 use crate::error::ReportError;
 use crate::record::{Content, Fields, Object, Record, columns, csv};
+use crate::record::{write_table, write_text};
 use crate::reference::{Output, merged};
-use crate::swept_keys::column;
-use crate::table::{write_table, write_text};
+use crate::swept::column;
 use crate::unknown_error::unknown_error;
 use peelkit::study::uncertainty::{
     Analysis, Correlation, CutShort, DerivativesBy, Estimate, Input, NumberAnalysis, Order, Propagation, Quantile,

@@ -1,8 +1,7 @@
 //! The pull-off of a seta as a page that a browser plays: the seta and its brush seen from the side, the force, and the load of each tip. The
 //! page is one file that needs no other, and well-formed XML.
 
-use super::pose::SetaPose;
-use super::route::travels;
+use super::motion::{SetaPose, travels};
 use super::side_view::{MICRO, Window};
 use crate::animation::panel::{Panel, escaped, joined};
 use crate::animation::player::{PLAYER, controls};

@@ -1,7 +1,6 @@
 //! The force on the root of a seta and the number of attached tips, against how far the root has moved.
 
-use super::motion::SetaMotion;
-use super::route::travels;
+use super::motion::{SetaMotion, travels};
 use super::side_view::MICRO;
 use crate::chart::axis::{Axis, significant};
 use crate::chart::canvas::Stroke;

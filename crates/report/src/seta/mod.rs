@@ -6,19 +6,16 @@ mod load_map;
 pub(crate) mod motion;
 pub(crate) mod names;
 pub(crate) mod picture;
-pub(crate) mod pose;
-mod route;
 mod side_view;
 pub(crate) mod summary;
 pub(crate) mod sweep;
 pub(crate) mod tables;
-pub(crate) mod tip_events;
 pub(crate) mod vtk;
 
 use super::record::Record;
 use super::reference::Output;
 
-use sweep::row::SetaRow;
+use sweep::SetaRow;
 
 /// What is written of setae.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -1,6 +1,7 @@
 //! The motions of the root of a seta, one after the other: what each is called, and the force along it.
 
-use peelkit::study::SetaPoint;
+use peelkit::model::Seta;
+use peelkit::study::{SetaBranch, SetaPoint, SetaState};
 
 /// A step of the loading, as far as it was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,4 +61,40 @@ mod tests {
         let named: Vec<_> = found.iter().map(|step| (step.step, step.name, step.largest)).collect();
         assert_eq!(named, [(0, "press", -5.0), (1, "drag", 7.0), (2, "pull", 4.0)]);
     }
+}
+
+// -- A seta as it lies in one equilibrium: what pictures, the animation and the files for ParaView are made of --
+
+/// A seta in one equilibrium of its pull-off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetaPose {
+    /// The numbers of the equilibrium
+    pub point: SetaPoint,
+    /// Force on each tip away from the ground, nN: positive where the ground pulls it down; none of one that is detached
+    pub tip_loads: Vec<Option<f64>>,
+    /// Branch b ends at joint b + 1
+    pub branches: Vec<SetaBranch>,
+}
+
+impl SetaPose {
+    /// Of a state of a seta.
+    pub fn of(state: &SetaState, seta: &Seta) -> Self {
+        let load = |tip: &peelkit::study::TipState| tip.on.adheres().then_some(-tip.load[1]);
+        Self { point: state.point, tip_loads: state.tips.iter().map(load).collect(), branches: state.branches(seta) }
+    }
+}
+
+// -- How far the root of a seta has come, over all steps of its loading --
+
+/// How far the root has moved at each point since the beginning, nm: over all steps, each counted forwards.
+pub fn travels(points: &[SetaPoint]) -> Vec<f64> {
+    let (mut before, mut step, mut last) = (0.0, 0, 0.0);
+    let travel = |point: &SetaPoint| {
+        if point.step != step {
+            (before, step) = (before + last, point.step);
+        }
+        last = point.displacement;
+        before + last
+    };
+    points.iter().map(travel).collect()
 }

@@ -1,7 +1,7 @@
 //! The pictures of a pull-off: the curve, the load of each tip at three moments, and the seta at its peak.
 
 use super::load_map::{Moment, picture as load_map};
-use super::pose::SetaPose;
+use super::motion::SetaPose;
 use super::side_view::{MICRO, Window, add_branches, add_tips, panel};
 use super::{curve, names};
 use crate::chart::axis::significant;

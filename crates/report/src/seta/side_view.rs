@@ -1,6 +1,6 @@
 //! A seta seen from the side, along z: its branches as thick as they are, its tips and the ground.
 
-use super::pose::SetaPose;
+use super::motion::SetaPose;
 use crate::chart::RGBColor;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;

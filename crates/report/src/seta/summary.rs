@@ -1,7 +1,6 @@
 //! The pull-off of a seta as one JSON object: summary.json, and what `--json` prints.
 
-use super::names::{seta_end_reason, seta_end_word};
-use super::tip_events::TipEvents;
+use super::names::{TipEvents, seta_end_reason, seta_end_word};
 use crate::record::{Fields, Record};
 use crate::records::summary::{Found, Summary};
 use crate::reference::Output;

@@ -1,12 +1,12 @@
 //! The tables of a pull-off: curve.csv, events.csv, tips.csv, tip.csv. Units stand in the names of the columns.
 
+use super::motion::travels;
 use super::names::tip_branch_word;
-use super::route::travels;
 use crate::error::ReportError;
 use crate::number::S_PER_NS;
+use crate::record::write_table;
 use crate::record::{Cell, Fields, Record, columns_of};
 use crate::reference::{Output, merged};
-use crate::table::write_table;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
 use peelkit::study::{
     EventCause, SetaEvent, SetaInTime, SetaInTimeEvent, SetaPoint, SetaPullOff, SetaState, TipChange, TipLoss, TipState,

@@ -1,6 +1,6 @@
 //! A seta as a time series for ParaView: states.pvd lists one unstructured grid a state, whose cells are lines of two nodes.
 
-use super::pose::SetaPose;
+use super::motion::SetaPose;
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::reference::{Output, OutputKey};

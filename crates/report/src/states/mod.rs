@@ -2,7 +2,6 @@
 
 pub(crate) mod fields;
 pub(crate) mod grid;
-pub(crate) mod spatial_fields;
 pub(crate) mod surface;
 pub(crate) mod table;
 pub(crate) mod vtk;

@@ -1,7 +1,7 @@
 //! The surface of a beam in space: its outline from section to section, and the two end faces.
 
+use super::fields::{SPATIAL_STATE_FIELDS, VECTORS};
 use super::grid::{Grid, PointData};
-use super::spatial_fields::{SPATIAL_STATE_FIELDS, VECTORS};
 use peelkit::adhesion::SectionShape;
 use peelkit::beam::SpatialSectionPlace;
 use peelkit::study::SpatialSectionFields;

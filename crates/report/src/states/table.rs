@@ -1,7 +1,6 @@
 //! states.csv: one row for each place of the beam at each state.
 
-use super::fields::{STATE_FIELDS, StateField};
-use super::spatial_fields::SPATIAL_STATE_FIELDS;
+use super::fields::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
 use crate::error::ReportError;
 use crate::file::write_whole;
 use crate::names::limit_point_kind_word;

@@ -1,9 +1,8 @@
 //! A time series for ParaView: states.pvd lists one unstructured grid a state, the axis of the beam as lines; of a beam in space
 //! states-surface.pvd lists its surface.
 
-use super::fields::STATE_FIELDS;
+use super::fields::{SPATIAL_STATE_FIELDS, STATE_FIELDS, VECTORS};
 use super::grid::{Grid, PointData, collection};
-use super::spatial_fields::{SPATIAL_STATE_FIELDS, VECTORS};
 use super::surface;
 use crate::error::ReportError;
 use crate::file::write_whole;

@@ -84,6 +84,8 @@ impl Key {
             (_, Kind::Quantity(Dimension::Velocity, _) | Kind::Bound(Dimension::Velocity, _)) => "\"1 mm/s\"",
             (_, Kind::Quantity(Dimension::Density, _) | Kind::Bound(Dimension::Density, _)) => "\"1300 kg/m3\"",
             ("forks", _) => "8",
+            ("through", _) => "5",
+            ("along", _) => "\"2 nm\"",
             (_, Kind::Count(..)) => "20000",
             (_, Kind::Fixed(..)) => "20",
             (_, Kind::Share(..)) => "0.01",

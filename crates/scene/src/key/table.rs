@@ -62,6 +62,13 @@ pub(crate) static FRICTION: Table = table("friction", "What holds the beam along
 pub(crate) static GRIP: Table = table("grip", "What holds the right end, which is pulled.", BesideSeta::None);
 pub(crate) static DRIVE: Table =
     table("drive", "Where the grip goes, and what it does before.", BesideSeta::These(&["angle", "azimuth", "steps"]));
+pub(crate) static SOLID: Table = Table {
+    name: "solid",
+    about: "A strip that is computed as a solid: with which elements.",
+    beside_seta: BesideSeta::None,
+    is_in: |scene| scene.solid.is_some(),
+    begin: |scene| _ = scene.solid_table(),
+};
 pub(crate) static TIME: Table = Table {
     name: "time",
     about: "A pull at a rate.",

@@ -3,6 +3,7 @@
 pub(crate) mod bounds;
 pub(crate) mod rate;
 pub(crate) mod seta;
+pub(crate) mod solid;
 pub(crate) mod studies;
 
 use bounds::BoundsTable;
@@ -11,6 +12,7 @@ use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
 use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy, StationAt};
 use rate::TimeTable;
 use seta::SetaTable;
+use solid::SolidTable;
 use std::path::Path;
 use studies::{FitTable, OptimisationTable, UncertaintyTable};
 
@@ -26,6 +28,8 @@ pub struct Scene {
     pub model: PeelModel,
     /// The seta, where the scene has one.
     pub seta: Option<SetaTable>,
+    /// How the strip is computed as a solid, where the scene says so.
+    pub solid: Option<SolidTable>,
     /// The rate of the pull, where the scene has one.
     pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
@@ -59,6 +63,8 @@ pub struct TableTexts {
 pub enum Described<'s> {
     /// The peel of a beam, by its equilibria
     Peel,
+    /// The peel of a strip that is computed as a solid, by its equilibria
+    Solid(&'s SolidTable),
     /// The pull-off of a seta, by its equilibria
     Seta(&'s SetaTable),
     /// A beam pulled at a rate, or a seta
@@ -70,6 +76,7 @@ impl Described<'_> {
     pub(crate) fn quantities(self) -> &'static [PeelQuantity] {
         match self {
             Self::Peel => &PeelQuantity::OF_A_PEEL,
+            Self::Solid(_) => &PeelQuantity::OF_A_SOLID,
             Self::Seta(_) => &PeelQuantity::OF_A_SETA,
             Self::Rate(..) => &PeelQuantity::AT_A_RATE,
         }
@@ -79,6 +86,7 @@ impl Described<'_> {
     pub(crate) fn words(self) -> &'static str {
         match self {
             Self::Peel => "a peel",
+            Self::Solid(_) => "the peel of a solid",
             Self::Seta(_) => "the pull-off of a seta",
             Self::Rate(..) => "a pull at a rate",
         }
@@ -88,6 +96,7 @@ impl Described<'_> {
     pub fn word(self) -> &'static str {
         match self {
             Self::Peel => "peel",
+            Self::Solid(_) => "solid",
             Self::Seta(_) => "seta",
             Self::Rate(..) => "rate",
         }
@@ -99,6 +108,7 @@ impl Scene {
     pub(crate) fn of_defaults() -> Self {
         Self {
             seta: Some(SetaTable::default()),
+            solid: Some(SolidTable::default()),
             time: Some(TimeTable::default()),
             fit: Some(FitTable::default()),
             optimisation: Some(OptimisationTable::default()),
@@ -118,6 +128,7 @@ impl Scene {
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), ..BoundsTable::default() },
             seta: None,
+            solid: None,
             time: None,
             stations: Vec::new(),
             fit: None,
@@ -131,10 +142,11 @@ impl Scene {
 impl Scene {
     /// What it describes.
     pub fn describes(&self) -> Described<'_> {
-        match (&self.time, &self.seta) {
-            (Some(time), seta) => Described::Rate(time, seta.as_ref()),
-            (None, Some(seta)) => Described::Seta(seta),
-            (None, None) => Described::Peel,
+        match (&self.time, &self.seta, &self.solid) {
+            (Some(time), seta, _) => Described::Rate(time, seta.as_ref()),
+            (None, Some(seta), _) => Described::Seta(seta),
+            (None, None, Some(solid)) => Described::Solid(solid),
+            (None, None, None) => Described::Peel,
         }
     }
 
@@ -158,6 +170,10 @@ impl Scene {
 impl Scene {
     pub(crate) fn seta_table(&mut self) -> &mut SetaTable {
         self.seta.get_or_insert_default()
+    }
+
+    pub(crate) fn solid_table(&mut self) -> &mut SolidTable {
+        self.solid.get_or_insert_default()
     }
 
     /// The steps of a seta have a tolerance of their own.

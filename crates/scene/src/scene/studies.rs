@@ -11,8 +11,21 @@ pub struct FitTable {
     pub parameters: Vec<FittedKey>,
     /// Measured displacement of the first jump, nm; none: looked for
     pub jump: Option<f64>,
+    /// Which columns of the data hold what
+    pub columns: FitColumns,
     /// How
     pub options: FitOptions,
+}
+
+/// The columns of measured data by their names, each perhaps with its unit behind it; none: by the dimension of the unit in the header.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FitColumns {
+    /// Of the displacement
+    pub displacement: Option<String>,
+    /// Of the force
+    pub force: Option<String>,
+    /// Of the standard error of the force
+    pub force_error: Option<String>,
 }
 
 /// A key that is fitted.

@@ -4,7 +4,7 @@ use crate::error::ValueError;
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::scene::studies::FittedKey;
-use crate::tables::fit::ZERO;
+use crate::tables::fit::{FORCE_ZERO, ZERO};
 use crate::value::{Value, show};
 use peelkit::study::{FitParameter, ParameterOf};
 
@@ -35,7 +35,11 @@ fn parameter(scene: &Scene, fitted: &FittedKey) -> Result<FitParameter, ValueErr
             "The search begins at the value of the scene: give bounds around it.",
         ));
     }
-    let of = if path == ZERO { ParameterOf::DisplacementZero } else { ParameterOf::Model };
+    let of = match path.as_str() {
+        ZERO => ParameterOf::DisplacementZero,
+        FORCE_ZERO => ParameterOf::ForceZero,
+        _ => ParameterOf::Model,
+    };
     Ok(FitParameter { key: path.clone(), initial, range: key.range(), from: *from, to: *to, of })
 }
 

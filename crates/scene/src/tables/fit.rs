@@ -1,18 +1,21 @@
 //! The table `fit`: what each of its keys takes, and how it is read and written.
 
-use super::bounded::{BOUNDED, bounded, written};
+use super::bounded::{BOUNDED, bounded, entry, written};
 use crate::error::{nearest, one_line};
 use crate::key::kind::{Key, Setting};
 use crate::key::list::find;
-use crate::scene::studies::FittedKey;
-use crate::value::form::Form;
+use crate::scene::studies::{FitColumns, FittedKey};
+use crate::value::form::{Entry, Form};
+use crate::value::quantity::{Dimension, parse_quantity};
 use crate::value::{Fault, Value, quoted};
-use peelkit::study::{Loss, ProfileChoice};
+use peelkit::model::Range;
+use peelkit::study::{DisplacementError, Loss, ProfileChoice};
 
 /// The table's name.
 pub(crate) const TABLE: &str = "fit";
-/// The key of the table that may be fitted itself.
+/// Keys of the table that may be fitted themselves.
 pub(crate) const ZERO: &str = "fit.displacement_zero";
+pub(crate) const FORCE_ZERO: &str = "fit.force_zero";
 /// Tables whose numbers are no parameters of a model.
 const NO_MODEL: [&str; 2] = ["accuracy", "bounds"];
 /// `parameters`
@@ -29,6 +32,53 @@ pub(crate) static PARAMETERS: Setting = Setting {
     },
     write: |scene, keys| Some(written_list(&scene.fit.as_ref()?.parameters, keys)),
 };
+
+/// `displacement_error`
+pub(crate) static DISPLACEMENT_ERROR: Setting = Setting {
+    takes: "a length with its unit, \"estimated\" (from the residuals, which it makes larger where the curve is steep) or \"none\"",
+    brief: "length, or a word",
+    example: "\"0.05 mm\"",
+    form: || {
+        let length = Form::Quantity(Dimension::Length, Range::Positive);
+        Form::Either(Box::new(Form::word(ERRORS)), Box::new(length))
+    },
+    read: |scene, value, _| {
+        scene.fit_table().options.displacement_error = displacement_error(value)?;
+        Ok(())
+    },
+    write: |scene, _| {
+        Some(match scene.fit.as_ref()?.options.displacement_error {
+            DisplacementError::Known(error) => Value::Text(format!("{error} nm")),
+            choice => word(ERRORS, choice),
+        })
+    },
+};
+
+/// `columns`
+pub(crate) static COLUMNS: Setting = Setting {
+    takes: "a table of `displacement`, `force` and `force_error`, each the name of a column in the first line of the data, with its unit \
+            behind it where the data have none there: \"Load (N)\"",
+    brief: "a table",
+    example: "{ displacement = \"Extension (mm)\", force = \"Load (N)\" }",
+    form: || Form::Table(NAMED),
+    read: |scene, value, _| {
+        scene.fit_table().columns = columns(value).map_err(Fault::whole)?;
+        Ok(())
+    },
+    write: |scene, _| {
+        let FitColumns { displacement, force, force_error } = &scene.fit.as_ref()?.columns;
+        let named = NAMED.iter().zip([displacement, force, force_error]);
+        let entries: Vec<_> =
+            named.filter_map(|(entry, name)| Some((entry.name.to_owned(), Value::Text(name.clone()?)))).collect();
+        (!entries.is_empty()).then_some(Value::Table(entries))
+    },
+};
+
+const NAMED: &[Entry] = &[
+    Entry::optional("displacement", || Form::Text),
+    Entry::optional("force", || Form::Text),
+    Entry::optional("force_error", || Form::Text),
+];
 
 /// `loss`
 pub(crate) static LOSS: Setting = Setting {
@@ -57,6 +107,8 @@ pub(crate) static PROFILE: Setting = Setting {
 };
 
 const LOSSES: &[(&str, Loss)] = &[("squares", Loss::Squares), ("huber", Loss::Huber), ("soft-l1", Loss::SoftL1)];
+const ERRORS: &[(&str, DisplacementError)] =
+    &[("estimated", DisplacementError::Estimated), ("none", DisplacementError::None)];
 const PROFILES: &[(&str, ProfileChoice)] =
     &[("poor", ProfileChoice::Poor), ("all", ProfileChoice::All), ("none", ProfileChoice::None)];
 
@@ -72,6 +124,27 @@ fn picked<T: Copy>(words: &[(&str, T)], value: &Value) -> Result<T, Fault> {
 
 fn word<T: Copy + PartialEq>(words: &[(&str, T)], choice: T) -> Value {
     Value::Text(words.iter().find(|(_, own)| *own == choice).map_or("", |(word, _)| word).to_owned())
+}
+
+/// A length above zero, or one of the words.
+fn displacement_error(value: &Value) -> Result<DisplacementError, Fault> {
+    let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no text in quotes"))) };
+    match parse_quantity(text, Dimension::Length) {
+        Ok(error) if error > 0.0 && error.is_finite() => Ok(DisplacementError::Known(error)),
+        Ok(_) => Err(Fault::whole(format!("is {}, which is not above zero", quoted(text)))),
+        Err(_) => picked(ERRORS, value),
+    }
+}
+
+/// The names of columns.
+fn columns(value: &Value) -> Result<FitColumns, String> {
+    let Value::Table(entries) = value else { return Err(format!("is {value}, no table")) };
+    let name = |wanted: &str| match entry(entries, NAMED, wanted).map_err(|found| format!("has {found}"))? {
+        None => Ok(None),
+        Some(Value::Text(text)) if !text.trim().is_empty() => Ok(Some(text.trim().to_owned())),
+        Some(value) => Err(format!("has `{wanted}` = {value}, no name of a column in quotes")),
+    };
+    Ok(FitColumns { displacement: name("displacement")?, force: name("force")?, force_error: name("force_error")? })
 }
 
 /// Reads the list of parameters.
@@ -159,7 +232,7 @@ fn lowered(sentence: &str) -> String {
 /// Whether a key is a number of the model, or that of the measured displacement.
 fn is_parameter(key: &Key) -> bool {
     let of_model = key.table != TABLE && !NO_MODEL.contains(&key.table) && !key.table.is_empty();
-    key.is_numeric() && !key.is_count() && (of_model || key.path() == ZERO)
+    key.is_numeric() && !key.is_count() && (of_model || [ZERO, FORCE_ZERO].contains(&key.path().as_str()))
 }
 
 /// The list as a scene writes it: keys without bounds as texts.

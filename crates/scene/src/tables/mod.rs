@@ -6,4 +6,5 @@ pub(crate) mod optimise;
 pub(crate) mod output;
 pub(crate) mod rate;
 pub(crate) mod seta;
+pub(crate) mod solid;
 pub(crate) mod uncertainty;

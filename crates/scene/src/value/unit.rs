@@ -1,6 +1,6 @@
 //! Units as a mechanics person writes them: "nm", "mN/m", "J/m²", "N/m^2", "kN mm^-2".
 //!
-//! A unit is a product of SI units with prefixes and powers, and of a few that stand beside them (Å, eV, min, h, deg, dyn, erg).
+//! A unit may be over a number of others, as peel adhesion is written: "N/25mm". A unit is a product of SI units with prefixes and powers, and of a few that stand beside them (Å, eV, min, h, deg, dyn, erg).
 //! It is read as powers of the units inside the library, a power of ten and a factor, so that a prefix moves the decimal point and
 //! rounds nothing.
 
@@ -93,8 +93,15 @@ impl Unit {
             // "N/m mm" could be read in two ways
             let mut count = 0;
             for factor in factors {
-                product = product.times(power(factor)?, sign);
-                count += 1;
+                // "N/25mm", "N/25 mm"
+                let (number, factor) = if index > 0 { leading_number(factor) } else { (None, factor) };
+                if let Some(number) = number {
+                    product.factor /= number.parse::<f64>().ok().filter(|number| count == 0 && *number > 0.0)?;
+                }
+                if !factor.is_empty() {
+                    product = product.times(power(factor)?, sign);
+                    count += 1;
+                }
             }
             if count == 0 || (index > 0 && count > 1) {
                 return None;
@@ -128,6 +135,12 @@ impl Unit {
     }
 }
 
+/// The digits at the beginning of a factor, if there are any, and what is behind them.
+fn leading_number(factor: &str) -> (Option<&str>, &str) {
+    let (number, rest) = factor.split_at(factor.len() - factor.trim_start_matches(|c: char| c.is_ascii_digit()).len());
+    (Some(number).filter(|number| !number.is_empty()), rest)
+}
+
 /// A regular expression of units of these powers: those with a name of their own, and every product, whose powers no expression counts.
 pub(super) fn pattern(powers: Powers) -> String {
     let of = |chosen: &dyn Fn(&Unit) -> bool| {
@@ -140,7 +153,7 @@ pub(super) fn pattern(powers: Powers) -> String {
         with.into_iter().chain(named(Prefixed::No).into_iter().map(str::to_owned)).collect::<Vec<_>>().join("|")
     };
     let factor = format!("(?:{})(?:\\^?[-⁻]?[0-9⁰¹²³⁴-⁹]+)?", of(&|_| true));
-    let product = format!("{factor}(?:[ ·⋅*/]+{factor})+");
+    let product = format!("{factor}(?:[ ·⋅*/]+(?:[0-9]+ ?)?{factor})+");
     let named = of(&|unit| unit.powers == powers);
     if named.is_empty() { format!("(?:{product})") } else { format!("(?:{named}|{product})") }
 }
@@ -207,13 +220,17 @@ mod tests {
         assert_eq!(Unit::read("nN/nm²").unwrap().inside(2.0), 2.0);
         assert_eq!(Unit::read("mJ/m2"), Unit::read("mN/m"));
         assert_eq!(Unit::read("N m"), Unit::read("J"));
+        for text in ["N/25mm", "N/25 mm"] {
+            assert!((Unit::read(text).unwrap().inside(1.0) / 40.0 - 1.0).abs() < 1e-15, "{text}");
+        }
     }
 
     #[test]
     fn what_is_no_unit_is_refused() {
-        for text in
-            ["", "/", "N/", "/m", "N//m", "m^", "m^0", "m2x", "nn", "kmin", "NM", "N/m mm", "furlong", "m^-", "m99"]
-        {
+        for text in [
+            "", "/", "N/", "/m", "N//m", "m^", "m^0", "m2x", "nn", "kmin", "NM", "N/m mm", "furlong", "m^-", "m99",
+            "N/25", "N/0mm", "25N/m", "N/mm25",
+        ] {
             assert_eq!(Unit::read(text), None, "{text}");
         }
     }

@@ -52,6 +52,12 @@ impl Curve {
             RunOutcome::Seta(found) => {
                 Self::stable(pulled(found.pull_off()).map(|at| (at.displacement, at.force_along)).collect())
             }
+            RunOutcome::Solid(found) => {
+                let points = &found.peel.points;
+                let unstable = points.iter().map(|at| at.negative.is_some_and(|count| count > 0)).collect();
+                let line = points.iter().map(|at| (at.displacement, at.force)).collect();
+                Self { line, unstable, equilibria: None }
+            }
             RunOutcome::Rate(found) => Self::at_rate(&found.pulled, &found.equilibria),
         }
     }

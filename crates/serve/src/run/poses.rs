@@ -1,7 +1,7 @@
 //! The beam along the path, or a seta along its pull-off, as whole numbers, and the ground below it.
 
 use crate::run::curve::pulled;
-use peelkit::study::{Peel, SetaBranch};
+use peelkit::study::{Peel, SetaBranch, SolidPeel, SolidPoint};
 use peelkit_analyses::{RunOutcome, SetaOutcome};
 use peelkit_report::{Pose, PulledAtRate};
 use peelkit_scene::{Described, Scene};
@@ -14,6 +14,8 @@ const DRAWN: usize = 600;
 /// Of the surface beside the beam, over the extent of that.
 const BESIDE: f64 = 2.0;
 
+/// Most states of a solid that are sent.
+const SOLID_STATES: usize = 200;
 /// Branches of a seta that are sent in all its states together, about.
 const BRANCHES: usize = 12_000;
 /// Most states of a seta.
@@ -80,6 +82,7 @@ impl Poses {
         match outcome {
             RunOutcome::Peel(found) => Self::of_peel(&found.peel),
             RunOutcome::Seta(found) => Self::of_seta(found),
+            RunOutcome::Solid(found) => Self::of_solid(&found.peel, found.rest_gap()),
             RunOutcome::Rate(found) => Self::at_rate(&found.pulled),
         }
     }
@@ -126,6 +129,37 @@ impl Poses {
             branches: branches.iter().map(branch).collect(),
         });
         let (from, to) = (low.0 - BESIDE * extent, high.0 + BESIDE * extent);
+        Self { unit, ground: numbers(unit, &[(from, 0.0), (to, 0.0)]), along: along.collect() }
+    }
+
+    /// The outline of a solid at points of its path.
+    fn of_solid(peel: &SolidPeel, rest_gap: f64) -> Self {
+        let (across, along) = peel.strip.mesh_lines();
+        let end = |lines: &[f64]| lines.last().copied().unwrap_or(0.0);
+        let (length, height) = (end(across), end(along));
+        let corners_of = across.iter().map(|&s| (s, 0.0)).chain(across.iter().rev().map(|&s| (s, height)));
+        let corners_of: Vec<(f64, f64)> = corners_of.collect();
+        let every = peel.points.len().div_ceil(SOLID_STATES).max(1);
+        let outline = |at: &SolidPoint| -> Vec<(f64, f64)> {
+            let moved = |&(s, above): &(f64, f64)| {
+                let [x, y] = peel.strip.displacement_at(at.values(), s, above);
+                (s + x, rest_gap + above + y)
+            };
+            corners_of.iter().map(moved).collect()
+        };
+        let shown: Vec<_> = peel.points.iter().enumerate().step_by(every).map(|(k, at)| (k, at, outline(at))).collect();
+        let [low, high] = corners(shown.iter().flat_map(|(_, _, outline)| outline).copied());
+        let unit = extent(low, high).max(length) / FINE;
+        let most = peel.points.len().saturating_sub(1).max(1) as f64;
+        let along = shown.iter().map(|(k, at, outline)| PoseNumbers {
+            displacement: at.displacement,
+            force: at.force,
+            unstable: at.negative.is_some_and(|count| count > 0),
+            position: *k as f64 / most,
+            outline: numbers(unit, outline),
+            branches: Vec::new(),
+        });
+        let (from, to) = (low.0 - BESIDE * length, high.0 + BESIDE * length);
         Self { unit, ground: numbers(unit, &[(from, 0.0), (to, 0.0)]), along: along.collect() }
     }
 

@@ -230,6 +230,11 @@ impl Modelled {
         Self { place, force, slope, branch: found.branch, at }
     }
 
+    /// The same with a force zero, nN.
+    pub fn above(self, force_zero: f64) -> Self {
+        Self { force: self.force + force_zero, ..self }
+    }
+
     /// u of the grip at the point of the branch, nm.
     pub fn grip(&self) -> f64 {
         self.at.grip

@@ -32,6 +32,8 @@ pub struct MeasuredCurve {
     pub jump: Option<MeasuredJump>,
     /// Points behind the jump, which are not fitted
     pub behind_jump: Vec<MeasuredPoint>,
+    /// The mean force of these, nN, where the jump was found by their having none
+    pub rest: Option<f64>,
 }
 
 /// Fewest points of a curve.
@@ -45,11 +47,12 @@ const NO_FORCE: f64 = 4.0;
 
 impl MeasuredCurve {
     /// Of points in the order in which they were measured. `jump` is the measured displacement of the first jump; none: it is looked for where
-    /// the force falls to zero for good, three or more points of at most four standard errors behind one of more than eight.
+    /// the force falls to zero for good, three or more points of at most four standard errors behind one of more than eight. `zero` is the force that is
+    /// recorded where nothing pulls, nN; none: it is not known, and the median of the last three points is taken for it.
     ///
     /// # Errors
     /// With too few points, points that go there and back, no force, and a jump that is not among them.
-    pub fn new(points: Vec<MeasuredPoint>, jump: Option<f64>) -> Result<Self, FitDataError> {
+    pub fn new(points: Vec<MeasuredPoint>, jump: Option<f64>, zero: Option<f64>) -> Result<Self, FitDataError> {
         in_one_direction(&points)?;
         let mut points = points;
         points.sort_by(|a, b| a.displacement.total_cmp(&b.displacement));
@@ -64,9 +67,9 @@ impl MeasuredCurve {
         let before = match jump {
             Some(jump) if !(from < jump && jump < to) => return Err(FitDataError::JumpOutside { from, to, jump }),
             Some(jump) => Some(points.partition_point(|point| point.displacement < jump)),
-            None => detached_from(&points),
+            None => detached_from(&points, zero),
         };
-        let Some(before) = before else { return Ok(Self { points, jump: None, behind_jump: Vec::new() }) };
+        let Some(before) = before else { return Ok(Self { points, jump: None, behind_jump: Vec::new(), rest: None }) };
         let behind_jump = points.split_off(before);
         let (last, next) = (points[before - 1].displacement, behind_jump[0].displacement);
         // two rows at one displacement say where it jumps as well as the record tells places apart
@@ -77,7 +80,9 @@ impl MeasuredCurve {
         if points.len() < LEAST {
             return Err(few(points.len(), Some(found.displacement)));
         }
-        Ok(Self { points, jump: Some(found), behind_jump })
+        let mean = || behind_jump.iter().map(|point| point.force).sum::<f64>() / behind_jump.len() as f64;
+        let rest = jump.is_none().then(mean);
+        Ok(Self { points, jump: Some(found), behind_jump, rest })
     }
 
     /// Standard error of the forces from how neighbours differ, nN: from second differences, which a smooth curve does not show. A median, which
@@ -121,10 +126,13 @@ fn in_one_direction(points: &[MeasuredPoint]) -> Result<(), FitDataError> {
 }
 
 /// Where the points begin that have no force any more, if the curve jumps there.
-fn detached_from(points: &[MeasuredPoint]) -> Option<usize> {
+fn detached_from(points: &[MeasuredPoint], zero: Option<f64>) -> Option<usize> {
     let estimated = noise(points);
-    let largest = points.iter().fold(0.0f64, |most, point| point.force.abs().max(most));
-    let in_errors = |point: &MeasuredPoint| point.force / point.force_error.unwrap_or(estimated).max(1e-6 * largest);
+    let mut last: Vec<f64> = points.iter().rev().take(LEAST_BEHIND).map(|point| point.force).collect();
+    let zero = zero.unwrap_or_else(|| median(&mut last));
+    let largest = points.iter().fold(0.0f64, |most, point| (point.force - zero).abs().max(most));
+    let in_errors =
+        |point: &MeasuredPoint| (point.force - zero) / point.force_error.unwrap_or(estimated).max(1e-6 * largest);
     let behind = points.iter().rev().take_while(|point| in_errors(point).abs() <= NO_FORCE).count();
     let before = points.len() - behind;
     let jumps = behind >= LEAST_BEHIND && before > 0 && in_errors(&points[before - 1]) > 2.0 * NO_FORCE;
@@ -134,14 +142,17 @@ fn detached_from(points: &[MeasuredPoint]) -> Option<usize> {
 fn noise(points: &[MeasuredPoint]) -> f64 {
     // of normal errors the median of |a - 2b + c| is 0.6745 √6 times their standard deviation
     const MEDIAN: f64 = 0.6745;
-    let second = |three: &[MeasuredPoint]| {
-        let [a, b, c] = [0, 1, 2].map(|k| (three[k].displacement, three[k].force));
-        let share = if c.0 > a.0 { (b.0 - a.0) / (c.0 - a.0) } else { 0.5 };
-        // b less what lies between a and c on a line, over the standard deviation of that
-        (b.1 - (1.0 - share) * a.1 - share * c.1) / (1.0 + share * share + (1.0 - share).powi(2)).sqrt()
-    };
-    let mut all: Vec<f64> = points.windows(3).map(|three| second(three).abs()).collect();
+    let mut all: Vec<f64> = points.windows(3).map(|three| second_difference(three).0.abs()).collect();
     median(&mut all) / MEDIAN
+}
+
+/// The second of three points less what lies between the others on a line, over the standard deviation of that, nN; and the slope of the line, nN/nm.
+pub(super) fn second_difference(three: &[MeasuredPoint]) -> (f64, f64) {
+    let [a, b, c] = [0, 1, 2].map(|k| (three[k].displacement, three[k].force));
+    let share = if c.0 > a.0 { (b.0 - a.0) / (c.0 - a.0) } else { 0.5 };
+    let slope = if c.0 > a.0 { (c.1 - a.1) / (c.0 - a.0) } else { 0.0 };
+    let off = b.1 - (1.0 - share) * a.1 - share * c.1;
+    (off / (1.0 + share * share + (1.0 - share).powi(2)).sqrt(), slope)
 }
 
 /// The middle one of some numbers; 0 where there are none.
@@ -168,7 +179,7 @@ mod tests {
     #[test]
     fn a_fall_to_zero_for_good_is_a_jump() {
         let forces: Vec<f64> = (0..30).map(|k| if k < 20 { 1.0 + wobble(k) } else { wobble(k) }).collect();
-        let curve = MeasuredCurve::new(points(&forces), None).unwrap();
+        let curve = MeasuredCurve::new(points(&forces), None, Some(0.0)).unwrap();
         assert_eq!(curve.jump.unwrap().displacement, 19.5);
         assert!((curve.jump.unwrap().error - 1.0 / 12f64.sqrt()).abs() < 1e-15);
         assert_eq!((curve.points.len(), curve.behind_jump.len()), (20, 10));
@@ -180,15 +191,24 @@ mod tests {
         let forces: Vec<f64> = (0..30).map(|k| if k < 20 { 1.0 + wobble(k) } else { wobble(k) }).collect();
         let mut points = points(&forces);
         points[20].displacement = points[19].displacement;
-        let jump = MeasuredCurve::new(points, None).unwrap().jump.unwrap();
+        let jump = MeasuredCurve::new(points, None, Some(0.0)).unwrap().jump.unwrap();
         assert_eq!((jump.displacement, jump.error), (19.0, 1.0 / 12f64.sqrt()));
+    }
+
+    #[test]
+    fn a_fall_to_the_unknown_zero_of_the_load_cell_is_a_jump_as_well() {
+        let forces: Vec<f64> = (0..30).map(|k| 5.0 + if k < 20 { 1.0 + wobble(k) } else { wobble(k) }).collect();
+        assert_eq!(MeasuredCurve::new(points(&forces), None, Some(0.0)).unwrap().jump, None);
+        let curve = MeasuredCurve::new(points(&forces), None, None).unwrap();
+        assert_eq!(curve.jump.unwrap().displacement, 19.5);
+        assert!((curve.rest.unwrap() - 5.0).abs() < 0.01, "{:?}", curve.rest);
     }
 
     #[test]
     fn a_curve_that_levels_off_does_not_jump() {
         let forces: Vec<f64> = (0..30).map(|k| (-(k as f64) / 3.0).exp() + wobble(k)).collect();
-        assert_eq!(MeasuredCurve::new(points(&forces), None).unwrap().jump, None);
-        let said = MeasuredCurve::new(points(&forces), Some(20.2)).unwrap();
+        assert_eq!(MeasuredCurve::new(points(&forces), None, Some(0.0)).unwrap().jump, None);
+        let said = MeasuredCurve::new(points(&forces), Some(20.2), Some(0.0)).unwrap();
         assert_eq!((said.points.len(), said.jump.unwrap().displacement), (21, 20.5));
     }
 
@@ -197,12 +217,15 @@ mod tests {
         let there: Vec<f64> = (0..10).map(|k| k as f64).collect();
         let mut both = points(&there);
         both.extend(points(&there).into_iter().rev());
-        assert!(matches!(MeasuredCurve::new(both, None), Err(FitDataError::ThereAndBack { .. })));
+        assert!(matches!(MeasuredCurve::new(both, None, Some(0.0)), Err(FitDataError::ThereAndBack { .. })));
         let backward: Vec<_> = points(&there).into_iter().rev().collect();
-        assert_eq!(MeasuredCurve::new(backward, None).unwrap().points, points(&there));
-        assert!(matches!(MeasuredCurve::new(points(&[1.0, 2.0]), None), Err(FitDataError::TooFew { .. })));
-        assert!(matches!(MeasuredCurve::new(points(&[1.0; 9]), None), Err(FitDataError::NoForce { .. })));
-        assert!(matches!(MeasuredCurve::new(points(&there), Some(-1.0)), Err(FitDataError::JumpOutside { .. })));
-        assert!(matches!(MeasuredCurve::new(points(&there), Some(2.5)), Err(FitDataError::TooFew { .. })));
+        assert_eq!(MeasuredCurve::new(backward, None, Some(0.0)).unwrap().points, points(&there));
+        assert!(matches!(MeasuredCurve::new(points(&[1.0, 2.0]), None, Some(0.0)), Err(FitDataError::TooFew { .. })));
+        assert!(matches!(MeasuredCurve::new(points(&[1.0; 9]), None, Some(0.0)), Err(FitDataError::NoForce { .. })));
+        assert!(matches!(
+            MeasuredCurve::new(points(&there), Some(-1.0), Some(0.0)),
+            Err(FitDataError::JumpOutside { .. })
+        ));
+        assert!(matches!(MeasuredCurve::new(points(&there), Some(2.5), Some(0.0)), Err(FitDataError::TooFew { .. })));
     }
 }

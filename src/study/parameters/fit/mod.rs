@@ -1,15 +1,18 @@
 //! Parameters of a model from a measured force-displacement curve.
 //!
-//! A machine with a spring of stiffness k holds the displacement U = u + P/k; its record begins at the displacement zero d. With the measured
-//! points (dᵢ, Pᵢ) and the standard errors sᵢ of the forces, the parameters p are those with the least
+//! A machine with a spring of stiffness k holds the displacement U = u + P/k; its record begins at the displacement zero d and the force zero f. With
+//! the measured points (dᵢ, Pᵢ) and the standard errors sᵢ of the forces, the parameters p are those with the least
 //!
 //! ```text
-//! S(p) = Σ ρ([P(dᵢ - d; p) - Pᵢ]/sᵢ) + ([U*(p) + d - d*]/s*)²
+//! S(p) = Σ ρ([P(dᵢ - d; p) + f - Pᵢ]/sᵢ) + ([U*(p) + d - d*]/s*)²
 //! ```
 //!
 //! where P(U; p) is the first stable branch of the model's path under control of U, U* where that ends in the first jump, d* the displacement at
 //! which the measured curve jumps, and ρ the loss: t² for least squares. Each parameter has a coordinate, ln p where it is above zero. The
 //! least is found by Levenberg and Marquardt's method with the derivatives of [`crate::study::force_derivatives`].
+//!
+//! sᵢ² = s² + (P' sᵤ)², with the standard errors s of a force and sᵤ of a displacement, which are known or estimated from the residuals. Where f is
+//! free and the record goes on behind the detachment, the mean force there is a datum for f.
 //!
 //! What is no peel, the pull-off of a seta or a pull at a rate, has its whole curve up to where nothing adheres any more in place of the branch, and
 //! that place in place of U*. Its derivatives are differences of whole curves; a point over which an event passes between the two has none.

@@ -12,6 +12,8 @@ pub enum ParameterOf {
     Model,
     /// d, the measured displacement at which the model's is zero, nm
     DisplacementZero,
+    /// f, the measured force at which the model's is zero, nN
+    ForceZero,
 }
 
 /// A parameter that is fitted.
@@ -49,8 +51,7 @@ pub enum CurveBy<'m> {
 pub struct FitProblem<'m> {
     /// In this order
     pub parameters: Vec<FitParameter>,
-    /// The model with these values of the parameters; those of [`ParameterOf::DisplacementZero`] are not for it. It is checked where it is
-    /// computed.
+    /// The model with these values of the parameters; those of the zeros of the record are not for it. It is checked where it is computed.
     pub model: ModelOf<'m>,
     /// How its curve is computed
     pub curve: CurveBy<'m>,
@@ -59,7 +60,7 @@ pub struct FitProblem<'m> {
 /// Of which parameters the profile likelihood is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ProfileChoice {
-    /// Of those that are poorly determined
+    /// Of those that are poorly determined, where no parameter has ended at a bound of the search
     #[default]
     Poor,
     /// Of all
@@ -68,15 +69,29 @@ pub enum ProfileChoice {
     None,
 }
 
+/// Standard error of the measured displacements.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum DisplacementError {
+    /// Estimated from the residuals: they are larger where the curve is steep. With another loss than squares it is taken as none.
+    #[default]
+    Estimated,
+    /// Displacements are exact
+    None,
+    /// nm
+    Known(f64),
+}
+
 /// How the curve is fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     /// Standard error of a measured force where its point has none of its own, nN; none: estimated from the residuals
     pub force_error: Option<f64>,
-    /// Standard error of a measured displacement, nm; none: displacements are exact
-    pub displacement_error: Option<f64>,
+    /// Standard error of a measured displacement
+    pub displacement_error: DisplacementError,
     /// d where it is not fitted, nm
     pub displacement_zero: f64,
+    /// f where it is not fitted, nN
+    pub force_zero: f64,
     /// Whether the displacement of the measured jump is a datum
     pub use_jump: bool,
     /// Of points far from the curve
@@ -89,8 +104,9 @@ impl Default for FitOptions {
     fn default() -> Self {
         Self {
             force_error: None,
-            displacement_error: None,
+            displacement_error: DisplacementError::Estimated,
             displacement_zero: 0.0,
+            force_zero: 0.0,
             use_jump: true,
             loss: Loss::Squares,
             profile: ProfileChoice::Poor,

@@ -3,7 +3,7 @@
 use super::coordinate::Coordinate;
 use super::machine_curve::{Change, MachineCurve, Modelled, jump_derivatives};
 use super::measured_curve::MeasuredCurve;
-use super::problem::{CurveBy, CurveOf, FitOptions, FitProblem, Loss, ParameterOf};
+use super::problem::{CurveBy, CurveOf, DisplacementError, FitOptions, FitProblem, Loss, ParameterOf};
 use super::pulled_curve::PulledCurve;
 use super::result::NoFit;
 use crate::study::asked::accuracy::Accuracy;
@@ -48,6 +48,8 @@ pub(super) struct Trial {
     pub modelled: Vec<Modelled>,
     /// Displacement of the first jump as the machine records it, where one was measured, nm
     pub jump: Option<f64>,
+    /// f, nN
+    pub force_zero: f64,
 }
 
 /// The curve of the model.
@@ -95,8 +97,19 @@ pub(super) struct Weights {
     pub errors: Vec<f64>,
     /// Of the displacement of the jump, nm
     pub jump_error: f64,
+    /// Of the mean force behind it, nN
+    pub rest_error: f64,
     /// Of the loss, one a point
     pub robust: Vec<f64>,
+}
+
+/// Standard errors that are the same at all points.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Errors {
+    /// Of a force that has none of its own, nN
+    pub force: f64,
+    /// Of a displacement, nm
+    pub displacement: f64,
 }
 
 /// The derivative of a number from its values with a coordinate changed by these steps: of both sides, of one, or zero where none is known.
@@ -108,11 +121,20 @@ fn difference(here: f64, beside: impl Iterator<Item = (f64, f64)>) -> f64 {
     }
 }
 
-/// Derivatives by all coordinates: a row a point, and one for the jump.
+/// Derivatives by all coordinates: a row a point, one for the jump, and one for the force behind it.
 #[derive(Clone, Debug)]
 pub(super) struct Derivatives {
     pub force: DMatrix<f64>,
     pub jump: DVector<f64>,
+    /// Of the force behind the detachment
+    pub rest: DVector<f64>,
+}
+
+impl Derivatives {
+    fn zeros(points: usize, coordinates: usize) -> Self {
+        let none = || DVector::zeros(coordinates);
+        Self { force: DMatrix::zeros(points, coordinates), jump: none(), rest: none() }
+    }
 }
 
 impl Evaluator<'_> {
@@ -121,10 +143,28 @@ impl Evaluator<'_> {
         self.coordinates.iter().zip(x.iter()).map(|(coordinate, &x)| coordinate.value(x)).collect()
     }
 
-    /// d at coordinates, nm.
-    fn displacement_zero(&self, values: &[f64]) -> f64 {
-        let of = self.problem.parameters.iter().position(|parameter| parameter.of == ParameterOf::DisplacementZero);
-        of.map_or(self.options.displacement_zero, |index| values[index])
+    /// d at values, nm.
+    pub fn displacement_zero(&self, values: &[f64]) -> f64 {
+        self.place_of(ParameterOf::DisplacementZero).map_or(self.options.displacement_zero, |index| values[index])
+    }
+
+    /// f at values, nN.
+    fn force_zero(&self, values: &[f64]) -> f64 {
+        self.place_of(ParameterOf::ForceZero).map_or(self.options.force_zero, |index| values[index])
+    }
+
+    fn place_of(&self, of: ParameterOf) -> Option<usize> {
+        self.problem.parameters.iter().position(|parameter| parameter.of == of)
+    }
+
+    /// The mean force behind the detachment, which is a datum where f is free, nN.
+    fn rest(&self) -> Option<f64> {
+        self.measured.rest.filter(|_| self.place_of(ParameterOf::ForceZero).is_some())
+    }
+
+    /// How many data there are.
+    pub fn data(&self) -> usize {
+        self.measured.points.len() + usize::from(self.jump().is_some()) + usize::from(self.rest().is_some())
     }
 
     /// The curve of the model at coordinates, and what it says of the measured points; else why not.
@@ -153,10 +193,11 @@ impl Evaluator<'_> {
                 why()
             )));
         }
-        let at = |displacement: f64| Modelled::of_pull(&curve, ends, displacement - zero);
+        let force_zero = self.force_zero(&values);
+        let at = |displacement: f64| Modelled::of_pull(&curve, ends, displacement - zero).above(force_zero);
         let modelled = self.measured.points.iter().map(|point| at(point.displacement)).collect();
         let jump = self.jump().map(|_| curve.detached.unwrap_or(ends.1) + zero);
-        Ok(Trial { x: x.clone(), modelled, jump, found: Found::Pull(curve) })
+        Ok(Trial { x: x.clone(), modelled, jump, force_zero, found: Found::Pull(curve) })
     }
 
     fn trial_of_peel(&self, x: &DVector<f64>) -> Result<Trial, NoFit> {
@@ -183,10 +224,11 @@ impl Evaluator<'_> {
             let end = curve.end.machine;
             return Err(short(&format!("it goes to {end:.4} nm, and the measured points to {last:.4} nm")));
         }
-        let at = |displacement: f64| Modelled::at(&curve, displacement - zero);
+        let force_zero = self.force_zero(&values);
+        let at = |displacement: f64| Modelled::at(&curve, displacement - zero).above(force_zero);
         let modelled = self.measured.points.iter().map(|point| at(point.displacement)).collect();
         let jump = self.jump().map(|_| curve.end.machine + zero);
-        Ok(Trial { x: x.clone(), modelled, jump, found: Found::Peel(Box::new(peel), curve) })
+        Ok(Trial { x: x.clone(), modelled, jump, force_zero, found: Found::Peel(Box::new(peel), curve) })
     }
 
     /// Those of the caller, and the end of the points where no jump behind it is asked for.
@@ -203,7 +245,7 @@ impl Evaluator<'_> {
     /// Measured displacement of the jump and its standard error, where it is a datum.
     pub fn jump(&self) -> Option<(f64, f64)> {
         let jump = self.measured.jump.filter(|_| self.options.use_jump)?;
-        Some((jump.displacement, jump.error.hypot(self.options.displacement_error.unwrap_or(0.0))))
+        Some((jump.displacement, jump.error))
     }
 
     /// Derivatives of a trial.
@@ -215,8 +257,12 @@ impl Evaluator<'_> {
         };
         for index in (0..values.len()).filter(|&index| !self.is_of_model(index)) {
             let rate = self.coordinates[index].rate(trial.x[index]);
-            trial.modelled.iter().enumerate().for_each(|(row, point)| found.force[(row, index)] = -point.slope * rate);
-            found.jump[index] = rate;
+            let shifts = self.problem.parameters[index].of == ParameterOf::DisplacementZero;
+            for (row, point) in trial.modelled.iter().enumerate() {
+                found.force[(row, index)] = if shifts { -point.slope * rate } else { rate };
+            }
+            found.jump[index] = if shifts { rate } else { 0.0 };
+            found.rest[index] = if shifts { 0.0 } else { rate };
         }
         Ok(found)
     }
@@ -236,10 +282,7 @@ impl Evaluator<'_> {
             self.trial(&x)
         };
         let beside: Vec<Result<Trial, NoFit>> = beside.par_iter().map(one).collect();
-        let mut found = Derivatives {
-            force: DMatrix::zeros(trial.modelled.len(), trial.x.len()),
-            jump: DVector::zeros(trial.x.len()),
-        };
+        let mut found = Derivatives::zeros(trial.modelled.len(), trial.x.len());
         for (&index, sides) in of_model.iter().zip(beside.chunks(2)) {
             let known =
                 || sides.iter().zip([BESIDE, -BESIDE]).filter_map(|(side, step)| Some((side.as_ref().ok()?, step)));
@@ -285,10 +328,7 @@ impl Evaluator<'_> {
             0.0 => vec![0.0; variations.len()],
             _ => forces_on_branch(peel, &[0.0], &variations)?.swap_remove(0).derivatives,
         };
-        let mut found = Derivatives {
-            force: DMatrix::zeros(trial.modelled.len(), values.len()),
-            jump: DVector::zeros(values.len()),
-        };
+        let mut found = Derivatives::zeros(trial.modelled.len(), values.len());
         for (column, &index) in of_model.iter().enumerate() {
             for (row, point) in trial.modelled.iter().enumerate() {
                 let change = Change {
@@ -317,35 +357,48 @@ impl Evaluator<'_> {
     pub fn residuals(&self, trial: &Trial, weights: &Weights) -> DVector<f64> {
         let (points, jump) = self.standardised(trial, weights);
         let weighted = points.iter().zip(&weights.robust).map(|(residual, weight)| weight.sqrt() * residual);
-        DVector::from_iterator(points.len() + usize::from(jump.is_some()), weighted.chain(jump))
+        let rest = self.rest().map(|measured| (trial.force_zero - measured) / weights.rest_error);
+        DVector::from_iterator(self.data(), weighted.chain(jump).chain(rest))
     }
 
     /// Their derivatives by the coordinates.
     pub fn jacobian(&self, found: &Derivatives, weights: &Weights) -> DMatrix<f64> {
         let points = found.force.nrows();
-        let rows = points + usize::from(self.jump().is_some());
-        DMatrix::from_fn(rows, found.force.ncols(), |row, column| match row {
+        let jumps = self.jump().is_some();
+        DMatrix::from_fn(self.data(), found.force.ncols(), |row, column| match row {
             row if row < points => weights.robust[row].sqrt() * found.force[(row, column)] / weights.errors[row],
-            _ => found.jump[column] / weights.jump_error,
+            row if row == points && jumps => found.jump[column] / weights.jump_error,
+            _ => found.rest[column] / weights.rest_error,
         })
     }
 
-    /// The weights with standard errors of the forces that are known, or `estimated`, and without a loss.
-    pub fn weights(&self, estimated: f64) -> Weights {
-        let error = |own: Option<f64>| own.or(self.options.force_error).unwrap_or(estimated);
-        let errors = self.measured.points.iter().map(|point| error(point.force_error)).collect::<Vec<_>>();
-        let robust = vec![1.0; errors.len()];
-        Weights { robust, jump_error: self.jump().map_or(1.0, |(_, error)| error), errors }
+    /// The weights with standard errors of the forces that are known, or these, and without a loss.
+    pub fn weights(&self, errors: Errors) -> Weights {
+        let error = |own: Option<f64>| own.or(self.options.force_error).unwrap_or(errors.force);
+        let forces = self.measured.points.iter().map(|point| error(point.force_error)).collect::<Vec<_>>();
+        let behind = self.measured.behind_jump.len().max(1) as f64;
+        Weights {
+            robust: vec![1.0; forces.len()],
+            jump_error: self.jump().map_or(1.0, |(_, error)| error.hypot(errors.displacement)),
+            rest_error: self.options.force_error.unwrap_or(errors.force) / behind.sqrt(),
+            errors: forces,
+        }
+    }
+
+    /// Standard error of a displacement as it is given, nm: 0 where it is none or not known yet.
+    pub fn displacement_error(&self) -> f64 {
+        match self.options.displacement_error {
+            DisplacementError::Known(error) => error,
+            DisplacementError::Estimated | DisplacementError::None => 0.0,
+        }
     }
 
     /// The weights for the next iteration: displacements off by their standard error change the force by its slope, and points count as the
     /// loss says.
-    pub fn reweighted(&self, trial: &Trial, estimated: f64) -> Weights {
-        let mut weights = self.weights(estimated);
-        if let Some(displacement_error) = self.options.displacement_error {
-            for (error, point) in weights.errors.iter_mut().zip(&trial.modelled) {
-                *error = error.hypot(point.slope * displacement_error);
-            }
+    pub fn reweighted(&self, trial: &Trial, errors: Errors) -> Weights {
+        let mut weights = self.weights(errors);
+        for (error, point) in weights.errors.iter_mut().zip(&trial.modelled) {
+            *error = error.hypot(point.slope * errors.displacement);
         }
         if self.options.loss != Loss::Squares {
             let (points, _) = self.standardised(trial, &weights);
@@ -393,7 +446,7 @@ mod tests {
             let problem = FitProblem { parameters, model, curve: CurveBy::Peel };
             let places = [0.6, 0.75, 1.0, 2.0, 6.0, 30.0, last];
             let point = |&displacement: &f64| MeasuredPoint { displacement, force: displacement, force_error: None };
-            let mut measured = MeasuredCurve::new(places.iter().map(point).collect(), None).unwrap();
+            let mut measured = MeasuredCurve::new(places.iter().map(point).collect(), None, Some(0.0)).unwrap();
             measured.jump = Some(MeasuredJump { displacement: last, error: 0.1 });
             let (options, accuracy) = (FitOptions::default(), Accuracy::to(1e-8));
             let coordinates =

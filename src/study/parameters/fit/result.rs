@@ -140,13 +140,17 @@ pub struct Fit {
     pub degrees_of_freedom: usize,
     /// The standard error of a force that was estimated from the residuals, nN; none where it is known
     pub estimated_error: Option<f64>,
+    /// The standard error of a displacement that was estimated likewise, nm; none where it is known or none
+    pub estimated_displacement_error: Option<f64>,
     /// Standard error of a force from how neighbouring points differ, nN
     pub scatter: f64,
     /// Whether the measured displacements were taken as exact
     pub exact_displacements: bool,
     /// d, nm
     pub displacement_zero: f64,
-    /// (U + d, P) of the model up to its first jump
+    /// f, nN
+    pub force_zero: f64,
+    /// (U + d, P + f) of the model up to its first jump
     pub curve: Vec<(f64, f64)>,
     /// The same of the model at the beginning
     pub initial_curve: Vec<(f64, f64)>,

@@ -2,11 +2,11 @@
 
 use super::coordinate::Coordinate;
 use super::measured_curve::MeasuredCurve;
-use super::problem::{FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
-use super::residuals::{Derivatives, Evaluator, Trial, Weights};
-use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, Scale};
+use super::problem::{CurveBy, DisplacementError, FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
+use super::residuals::{Derivatives, Errors, Evaluator, Trial, Weights};
+use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PointPlace, Scale};
 use super::search::{Found, search};
-use super::statistics::{Covariance, Least, half_interval, is_estimated, scale};
+use super::statistics::{Covariance, Least, error_components, half_interval, is_estimated, neighbouring_errors, scale};
 use super::warnings::{POOR, combinations, pairs};
 use crate::study::asked::accuracy::Accuracy;
 use crate::study::asked::stop_criteria::StopCriteria;
@@ -42,8 +42,12 @@ pub fn fit(
         return Err(NoFit::NoParameters);
     }
     let (first, last) = measured.range();
+    let span = |of: ParameterOf| match of {
+        ParameterOf::Model | ParameterOf::DisplacementZero => 0.5 * (last - first),
+        ParameterOf::ForceZero => measured.largest_force(),
+    };
     let coordinates: Result<Vec<_>, _> =
-        problem.parameters.iter().map(|parameter| Coordinate::new(parameter, 0.5 * (last - first))).collect();
+        problem.parameters.iter().map(|parameter| Coordinate::new(parameter, span(parameter.of))).collect();
     let evaluator = Evaluator {
         problem,
         coordinates: coordinates?,
@@ -54,13 +58,16 @@ pub fn fit(
         paths: AtomicUsize::new(0),
         interrupted: AtomicBool::new(false),
     };
-    let data = measured.points.len() + usize::from(evaluator.jump().is_some());
+    let data = evaluator.data();
     if data <= count {
         return Err(NoFit::TooFewData { data, parameters: count });
     }
     let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
+    if let Some(why) = hopeless(measured, &start) {
+        return Err(why);
+    }
     has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
-    let reached = weighted_search(&evaluator, &start, count);
+    let reached = likeliest(&evaluator, &start, count);
     let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
     let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
     let is_lost = !interrupted && found.as_ref().map_or(true, Fit::is_lost);
@@ -90,17 +97,55 @@ struct Reached {
     weights: Weights,
     /// Standard error of a force that was estimated
     estimated: Option<f64>,
+    /// That of a displacement likewise
+    estimated_displacement: Option<f64>,
     weightings: usize,
 }
 
-/// Searches, and again with weights from what was found, until they have settled.
-fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> Result<Reached, NoFit> {
+impl Reached {
+    /// -ln of the likelihood of the residuals with the errors that were found, but for a constant.
+    fn unlikelihood(&self) -> f64 {
+        0.5 * self.found.sum + self.weights.errors.iter().map(|error| error.ln()).sum::<f64>()
+    }
+}
+
+/// The search. Where the error of the displacements is estimated there may be two ends: one that meets the steep points and one that ascribes what it
+/// misses there to the displacements. So the search begins once with no error of theirs, and once with that which neighbours show; the likelier end counts.
+fn likeliest(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> Result<Reached, NoFit> {
+    let (options, measured) = (evaluator.options, evaluator.measured);
+    let least = LEAST_ERROR * measured.largest_force();
+    let exact = Errors { force: measured.noise().max(least), displacement: evaluator.displacement_error() };
+    let one = weighted_search(evaluator, start, count, exact)?;
+    let is_estimated = options.displacement_error == DisplacementError::Estimated && options.loss == Loss::Squares;
+    // a curve of whole pull-offs costs as much again
+    let is_cheap = matches!(evaluator.problem.curve, CurveBy::Peel);
+    if !is_estimated || !is_cheap || evaluator.interrupted.load(Ordering::Relaxed) {
+        return Ok(one);
+    }
+    let other = weighted_search(evaluator, start, count, neighbouring_errors(evaluator, least));
+    let place = |reached: &Reached| (reached.found.trouble.is_some(), reached.unlikelihood());
+    match other {
+        Ok(other) if place(&other) < place(&one) => Ok(other),
+        _ => Ok(one),
+    }
+}
+
+/// Searches from these errors, and again with weights from what was found, until they have settled.
+fn weighted_search(
+    evaluator: &Evaluator,
+    start: &Arc<Trial>,
+    count: usize,
+    mut errors: Errors,
+) -> Result<Reached, NoFit> {
     let (options, measured) = (evaluator.options, evaluator.measured);
     let least = LEAST_ERROR * measured.largest_force();
     let estimates = is_estimated(options, evaluator);
-    let changes = estimates || options.loss != Loss::Squares || options.displacement_error.is_some();
-    let mut estimated = measured.noise().max(least);
-    let mut weights = evaluator.weights(estimated);
+    let robust = options.loss != Loss::Squares;
+    let unknown = options.displacement_error == DisplacementError::Estimated && !robust;
+    let components = unknown || (estimates && !robust && options.displacement_error != DisplacementError::None);
+    let changes = estimates || robust || options.displacement_error != DisplacementError::None;
+    // what is far off where a search begins is no outlier
+    let mut weights = if robust { evaluator.weights(errors) } else { evaluator.reweighted(start, errors) };
     let free: Vec<usize> = (0..count).collect();
     let mut best = start.clone();
     let mut weightings = 0;
@@ -109,13 +154,16 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
         let found = search(evaluator, &weights, &best, &free);
         let moved = &found.best.x - &best.x;
         best = found.best.clone();
-        if estimates {
+        let derivatives = evaluator.derivatives(&best)?;
+        if components {
+            errors = error_components(evaluator, &best, &evaluator.jacobian(&derivatives, &weights), errors, least);
+        } else if estimates {
             let residuals: Vec<f64> =
                 best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
-            estimated = scale(&residuals, &weights, count, options.loss != Loss::Squares, least);
+            errors.force = scale(&residuals, &weights, count, robust, least);
         }
-        let next = evaluator.reweighted(&best, estimated);
-        let covariance = Covariance::new(&evaluator.jacobian(&evaluator.derivatives(&best)?, &next), free.clone(), 1.0);
+        let next = evaluator.reweighted(&best, errors);
+        let covariance = Covariance::new(&evaluator.jacobian(&derivatives, &next), free.clone(), 1.0);
         let settled =
             free.iter().all(|&k| moved[k].abs() <= SETTLED * covariance.standard_error(k).unwrap_or(f64::INFINITY));
         let over = found.trouble.is_some() || !changes || weightings == MOST_WEIGHTINGS;
@@ -125,7 +173,13 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
                 (weightings == MOST_WEIGHTINGS).then(|| format!("its weights have not settled in {weightings} rounds"))
             });
             let found = Found { best, sum, trouble };
-            return Ok(Reached { found, weights: next, estimated: estimates.then_some(estimated), weightings });
+            return Ok(Reached {
+                found,
+                weights: next,
+                estimated: estimates.then_some(errors.force),
+                estimated_displacement: unknown.then_some(errors.displacement),
+                weightings,
+            });
         }
         weights = next;
     }
@@ -133,7 +187,7 @@ fn weighted_search(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> R
 
 /// The result with its statistics.
 fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usize) -> Result<Fit, NoFit> {
-    let Reached { found, weights, estimated, weightings } = reached;
+    let Reached { found, weights, estimated, estimated_displacement, weightings } = reached;
     let (best, options, count) = (found.best, evaluator.options, evaluator.coordinates.len());
     let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
     let end = match found.trouble {
@@ -147,7 +201,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
-    let half = half_interval(estimated.is_some(), freedom);
+    let half = half_interval(estimated.is_some() || estimated_displacement.is_some(), freedom);
     let values = evaluator.values(&best.x);
     let parameter = |k: usize| {
         let (own, coordinate) = (&evaluator.problem.parameters[k], &evaluator.coordinates[k]);
@@ -171,6 +225,8 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     };
     let mut parameters: Vec<FittedParameter> = (0..count).map(parameter).collect();
     let poor: Vec<bool> = parameters.iter().map(|parameter| parameter.poorly_determined).collect();
+    // at a bound the sum of squares has no minimum: intervals of the others would be those beside a value that is most likely wrong
+    let is_minimum = parameters.iter().all(|parameter| parameter.at_bound.is_none());
     if end == FitEnd::Converged {
         let least = Least {
             evaluator,
@@ -182,7 +238,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         };
         let wanted = |k: &usize| match options.profile {
             ProfileChoice::All => true,
-            ProfileChoice::Poor => poor[*k],
+            ProfileChoice::Poor => is_minimum && poor[*k],
             ProfileChoice::None => false,
         };
         let asked: Vec<(usize, f64)> =
@@ -203,7 +259,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let zero = zero_of(evaluator, &best);
     let shifted = |trial: &Trial| {
         let zero = zero_of(evaluator, trial);
-        trial.found.points().into_iter().map(|(u, force)| (u + zero, force)).collect()
+        trial.found.points().into_iter().map(|(u, force)| (u + zero, force + trial.force_zero)).collect()
     };
     Ok(Fit {
         correlations: (0..count).map(row).collect(),
@@ -220,9 +276,11 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         sum_of_squares: found.sum,
         degrees_of_freedom: freedom,
         estimated_error: estimated,
+        estimated_displacement_error: estimated_displacement,
         scatter: evaluator.measured.noise(),
-        exact_displacements: options.displacement_error.is_none(),
+        exact_displacements: estimated_displacement.is_none() && evaluator.displacement_error() == 0.0,
         displacement_zero: zero,
+        force_zero: best.force_zero,
         curve: shifted(&best),
         initial_curve: shifted(start),
         model: (evaluator.problem.model)(&values),
@@ -238,15 +296,23 @@ fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
     let curve = start.found.points();
     let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
     let (from, to) = measured.range();
-    let forces = Scale { measured: measured.largest_force(), modelled: largest(|at| at.1) };
+    let force = measured.points.iter().map(|point| (point.force - start.force_zero).abs()).fold(0.0, f64::max);
+    let forces = Scale { measured: force, modelled: largest(|at| at.1) };
     let displacements = Scale { measured: from.abs().max(to.abs()), modelled: largest(|at| at.0) };
     let is_other = forces.thousands() != 0 || displacements.thousands() != 0;
     is_other.then_some(NoFit::OtherScale { forces, displacements })
 }
 
+/// The same of a curve of which both columns are so and no point lies on the path at which the search begins: no search comes from there to it.
+fn hopeless(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
+    let why = other_scale(measured, start)?;
+    let NoFit::OtherScale { forces, displacements } = &why else { return None };
+    let both = forces.thousands() != 0 && displacements.thousands() != 0;
+    let none = start.modelled.iter().all(|at| at.place != PointPlace::OnBranch);
+    (both && none).then_some(why)
+}
+
 /// d of a trial, nm.
 fn zero_of(evaluator: &Evaluator, trial: &Trial) -> f64 {
-    let parameters = &evaluator.problem.parameters;
-    let fitted = parameters.iter().position(|parameter| parameter.of == ParameterOf::DisplacementZero);
-    fitted.map_or(evaluator.options.displacement_zero, |k| evaluator.coordinates[k].value(trial.x[k]))
+    evaluator.displacement_zero(&evaluator.values(&trial.x))
 }

@@ -1,7 +1,8 @@
 //! Standard errors, intervals and correlations of the parameters that were found.
 
-use super::problem::FitOptions;
-use super::residuals::{Evaluator, Trial, Weights};
+use super::measured_curve::{MeasuredPoint, second_difference};
+use super::problem::{DisplacementError, FitOptions};
+use super::residuals::{Errors, Evaluator, Trial, Weights};
 use super::result::Profile;
 use super::search::search;
 use nalgebra::{DMatrix, DVector};
@@ -114,6 +115,127 @@ pub(super) fn scale(residuals: &[f64], weights: &Weights, parameters: usize, rob
     found.max(least)
 }
 
+/// Most rounds of the estimate of both standard errors.
+const ROUNDS: usize = 50;
+/// It has settled where no variance changes by more than this share.
+const SAME: f64 = 1e-6;
+/// A residual whose point determines the parameters by itself is no smaller than so much of its variance says.
+const LEAST_FREE: f64 = 0.05;
+
+/// The standard errors of a force and of a displacement that the residuals of a trial show.
+///
+/// Point i has the variance vᵢ = s² + (P'ᵢ sᵤ)², its residual (1 - hᵢ) vᵢ with its leverage h. Both are those of the largest likelihood of normal
+/// errors, by Fisher's scoring: squares of the residuals over 1 - h are fitted by 1 and P'², weighted by v⁻², until v has settled (Searle, Casella and
+/// McCulloch, Variance Components, 1992, section 6.6). `jacobian` is that of the weighted residuals; `before` is where the rounds begin. Where the
+/// standard error of a force is known, that of a displacement alone is estimated.
+pub(super) fn error_components(
+    evaluator: &Evaluator,
+    trial: &Trial,
+    jacobian: &DMatrix<f64>,
+    before: Errors,
+    least: f64,
+) -> Errors {
+    let leverages = leverages(jacobian);
+    let measured = &evaluator.measured.points;
+    let square = |row: usize| {
+        let residual = trial.modelled[row].force - measured[row].force;
+        residual * residual / (1.0 - leverages[row]).max(LEAST_FREE)
+    };
+    let known = |row: usize| measured[row].force_error.or(evaluator.options.force_error);
+    let rows: Vec<Row> = (0..measured.len())
+        .map(|row| Row {
+            square: square(row),
+            slope: trial.modelled[row].slope.powi(2),
+            known: known(row).map(|error| error * error),
+        })
+        .collect();
+    let given = match evaluator.options.displacement_error {
+        DisplacementError::Estimated => None,
+        DisplacementError::None => Some(0.0),
+        DisplacementError::Known(error) => Some(error * error),
+    };
+    let [force, displacement] = variances(&rows, given, least * least);
+    let force = if rows.iter().all(|row| row.known.is_some()) { before.force } else { force.sqrt() };
+    Errors { force, displacement: displacement.sqrt() }
+}
+
+/// The standard errors of a force and of a displacement by how neighbouring points differ: what lies between two others is off the line through these
+/// by the more, the steeper they rise. A search that begins without an error of the displacements may end where steep points alone are met.
+pub(super) fn neighbouring_errors(evaluator: &Evaluator, least: f64) -> Errors {
+    let measured = &evaluator.measured;
+    let known = evaluator.options.force_error;
+    let row = |three: &[MeasuredPoint]| {
+        let (off, slope) = second_difference(three);
+        let known = three[1].force_error.or(known).map(|error| error * error);
+        Row { square: off * off, slope: slope * slope, known }
+    };
+    let rows: Vec<Row> = measured.points.windows(3).map(row).collect();
+    let [_, displacement] = variances(&rows, None, least * least);
+    Errors { force: measured.noise().max(least), displacement: displacement.sqrt() }
+}
+
+/// A squared residual over what is left of its variance, nN².
+struct Row {
+    square: f64,
+    /// P'², (nN/nm)²
+    slope: f64,
+    /// Variance of its force where that is known, nN²
+    known: Option<f64>,
+}
+
+/// s² (nN²), no less than `least`, and sᵤ² (nm²), where it is not `given`.
+fn variances(rows: &[Row], given: Option<f64>, least: f64) -> [f64; 2] {
+    let count = rows.len().max(1) as f64;
+    let unknown = |row: &Row| f64::from(u8::from(row.known.is_none()));
+    let mut found = [(rows.iter().map(|row| row.square).sum::<f64>() / count).max(least), given.unwrap_or(0.0)];
+    for _ in 0..ROUNDS {
+        let (mut matrix, mut right) = ([[0.0; 2]; 2], [0.0; 2]);
+        for row in rows {
+            let base = row.known.unwrap_or(found[0]).max(least);
+            let weight = (base + row.slope * found[1]).powi(-2);
+            let by = [unknown(row), row.slope];
+            let square = row.square - row.known.unwrap_or(0.0) - row.slope * given.unwrap_or(0.0);
+            for i in 0..2 {
+                right[i] += weight * by[i] * square;
+                (0..2).for_each(|j| matrix[i][j] += weight * by[i] * by[j]);
+            }
+        }
+        let alone = |k: usize| if matrix[k][k] > 0.0 { (right[k] / matrix[k][k]).max(0.0) } else { 0.0 };
+        let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
+        let both = [
+            (right[0] * matrix[1][1] - right[1] * matrix[0][1]) / determinant,
+            (right[1] * matrix[0][0] - right[0] * matrix[1][0]) / determinant,
+        ];
+        let next = if let Some(given) = given {
+            [alone(0).max(least), given]
+        } else if rows.iter().all(|row| row.known.is_some()) {
+            [found[0], alone(1)]
+        } else if determinant <= RANK * matrix[0][0] * matrix[1][1] || both[1] <= 0.0 {
+            [alone(0).max(least), 0.0]
+        } else if both[0] <= least {
+            [least, alone(1)]
+        } else {
+            both
+        };
+        let settled = (0..2).all(|k| (next[k] - found[k]).abs() <= SAME * next[k]);
+        found = next;
+        if settled {
+            break;
+        }
+    }
+    found
+}
+
+/// hᵢ, the diagonal of J (JᵀJ)⁻¹ Jᵀ.
+fn leverages(jacobian: &DMatrix<f64>) -> Vec<f64> {
+    let svd = jacobian.clone().svd(true, false);
+    let largest = svd.singular_values.max();
+    let Some(left) = svd.u else { return vec![0.0; jacobian.nrows()] };
+    let determined = |k: &usize| svd.singular_values[*k] > RANK * largest;
+    let of = |row: usize| (0..left.ncols()).filter(determined).map(|k| left[(row, k)].powi(2)).sum();
+    (0..jacobian.nrows()).map(of).collect()
+}
+
 // -- The least sum of squares with one parameter held: what a standard error says is right only where that is a parabola --
 
 /// Step over the half interval of the standard error.
@@ -221,6 +343,37 @@ mod tests {
         assert!(Covariance::new(&jacobian, vec![1], 1.0).standard_error(0).is_none());
         let none = Covariance::new(&jacobian, Vec::new(), 1.0);
         assert!(none.standard_error(0).is_none() && none.correlation(0, 1).is_none() && !none.condition.is_finite());
+    }
+
+    /// 4000 residuals of normal errors, by their quantiles in a shuffled order: of s = 0.3 and s_u = 0.2 over slopes up to 5; of s alone; of s_u
+    /// beside an s that is known.
+    #[test]
+    fn errors_of_forces_and_displacements_are_told_apart_by_the_slope() {
+        let normal = |k: usize| Normal::standard().inverse_cdf(((k * 1597) % 4000) as f64 / 4000.0 + 1.25e-4);
+        let row = |k: usize, displacement: f64, known: Option<f64>| {
+            let slope = 5.0 * (k as f64 / 4000.0).powi(3);
+            Row { square: (0.09 + (slope * displacement).powi(2)) * normal(k).powi(2), slope: slope * slope, known }
+        };
+        let of = |displacement: f64, known: Option<f64>, given: Option<f64>| {
+            let rows: Vec<Row> = (0..4000).map(|k| row(k, displacement, known)).collect();
+            variances(&rows, given, 1e-12).map(f64::sqrt)
+        };
+        let [force, displacement] = of(0.2, None, None);
+        assert!((force / 0.3 - 1.0).abs() < 0.05 && (displacement / 0.2 - 1.0).abs() < 0.05, "{force} {displacement}");
+        let [force, displacement] = of(0.0, None, None);
+        assert!((force / 0.3 - 1.0).abs() < 0.03 && displacement < 0.02, "{force} {displacement}");
+        let [_, displacement] = of(0.2, Some(0.09), None);
+        assert!((displacement / 0.2 - 1.0).abs() < 0.05, "{displacement}");
+        let [force, displacement] = of(0.2, None, Some(0.04));
+        assert!((force / 0.3 - 1.0).abs() < 0.05 && displacement == 0.2, "{force} {displacement}");
+    }
+
+    /// Of a line the leverage of its ends is 1/n + t²/Σt².
+    #[test]
+    fn leverages_are_those_of_a_line() {
+        let jacobian = DMatrix::from_fn(5, 2, |row, column| if column == 0 { 1.0 } else { row as f64 - 2.0 });
+        let found = leverages(&jacobian);
+        assert!((found[0] - 0.6).abs() < 1e-12 && (found[2] - 0.2).abs() < 1e-12, "{found:?}");
     }
 
     #[test]

@@ -58,6 +58,8 @@ impl PeelQuantity {
         DetachmentDisplacement,
         DetachmentWork,
     ];
+    /// Those of the peel of a solid.
+    pub const OF_A_SOLID: [Self; 2] = [PeakForce, PeakDisplacement];
     /// Those of the pull-off of a seta.
     pub const OF_A_SETA: [Self; 3] = [PeakForce, PeakDisplacement, Work];
     /// Those of a pull at a rate, of a beam or of a seta.

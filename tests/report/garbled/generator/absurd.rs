@@ -1,6 +1,7 @@
 //! Scenes that mean something, with absurd numbers.
 
 use super::dice::Dice;
+use peelkit::model::Attraction;
 use peelkit_scene::{Dimension, KEYS, Kind};
 
 /// A scene whose every number lies anywhere in a range that no strip has seen, for a run of at most 60 points and 0.2 s.
@@ -9,7 +10,7 @@ pub fn absurd_scene(dice: &mut Dice) -> String {
     absurd_scene_of(body, dice)
 }
 
-/// F64x4 pieces: lengths over six decades, widths over twelve, heights as far apart, bends of either sign, and as round as
+/// Four pieces: lengths over six decades, widths over twelve, heights as far apart, bends of either sign, and as round as
 /// may be.
 fn absurd_pieces(dice: &mut Dice) -> String {
     let size = dice.decades(1e-3, 1e9);
@@ -58,7 +59,9 @@ pub fn absurd_scene_of(body: &str, dice: &mut Dice) -> String {
     line("[adhesion]".into());
     line(format!("hamaker_constant = \"{:e} J\"", dice.decades(1e-30, 1e-10)));
     line(format!("equilibrium_distance = \"{:e} nm\"", dice.decades(1e-4, 1e4)));
-    let law = dice.pick(&["body-force", "body-force", "surface-traction", "bilinear", "exponential", "dugdale"]);
+    // that of the half space twice as often as any other
+    let laws: Vec<_> = [Attraction::BodyForce].into_iter().chain(Attraction::all()).map(Attraction::name).collect();
+    let law = dice.pick(&laws);
     line(format!("law = \"{law}\""));
     if !law.contains("-") && dice.below(2) == 0 {
         line(format!(

@@ -2,10 +2,8 @@
 
 mod case;
 mod peaks;
-mod points;
-mod stations;
 mod steady;
-mod work;
+mod values;
 
 use super::check::{Check, Topic};
 use case::Case;
@@ -20,10 +18,10 @@ const POINTS: &str = include_str!("../../../verification/strip_points.csv");
 
 fn checks() -> Vec<Check> {
     let whole = Case::all(POINTS, |_| None);
-    let mut checks = points::checks(&whole);
+    let mut checks = values::checks(&whole);
     checks.extend(steady::checks());
     checks.extend(peaks::checks());
-    checks.extend(work::checks(&whole));
-    checks.extend(stations::checks());
+    checks.extend(values::paid(&whole));
+    checks.extend(values::of_stations());
     checks
 }

@@ -1,7 +1,7 @@
 //! Initiation peak and first two displacement limit points of the strips of a table, each with its error over its bound.
 
 use crate::suite::bounds;
-use crate::suite::check::{Check, Measure, missing};
+use crate::suite::check::{Check, Measure, Topic, missing};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::Attraction;
 use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};
@@ -85,4 +85,26 @@ impl Turns {
         }
         checks
     }
+}
+
+// -- Strips that friction holds against collocation --
+
+pub(in crate::suite) const FRICTION: Topic =
+    Topic { name: "friction", about: "strips with friction along the substrate: collocation", checks: of_friction };
+
+const OF_FRICTION: Turns = Turns {
+    table: include_str!("../../../verification/friction.csv"),
+    source: "verification/friction.py: collocation",
+    named: &[
+        ("tau0_GPa", "τ0 = ", " GPa"),
+        ("friction_coefficient", "μ = ", ""),
+        ("pull_angle_deg", "", " degrees"),
+        ("grip_across", "normal to the pull ", ""),
+        ("grip_rotation", "rotation ", ""),
+        ("length_nm", "L = ", " nm"),
+    ],
+};
+
+fn of_friction() -> Vec<Check> {
+    OF_FRICTION.checks()
 }

@@ -1,0 +1,119 @@
+//! The peel of the strip of a scene as a solid.
+
+use super::asked::{self, Asked};
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::session::Session;
+use crate::solid::peeled;
+use peelkit::adhesion::HalfSpace;
+use peelkit::model::{LongElements, SolidSettings};
+use peelkit::study::{SolidPathEnd, SolidPeel, StationQuantity};
+use peelkit_report::{self as report, ReportError, SolidSummary, timed};
+use peelkit_scene::Scene;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// The peel of a strip as a solid.
+pub struct SolidRun<'s> {
+    scene: &'s Scene,
+    settings: SolidSettings,
+    states: Option<u32>,
+}
+
+impl<'s> SolidRun<'s> {
+    /// Of a scene with a table `solid`.
+    ///
+    /// Fails where something is asked for that has no meaning for a solid.
+    pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
+        let options = [
+            (
+                asked.observed,
+                "--observed",
+                "its path of equilibria alone is followed; the first jump stands in summary.json",
+            ),
+            (asked.out_of_plane, "--out-of-plane", "it is plane"),
+            (asked.branch, "--branch", "it is plane"),
+            (asked.sensitivities, "--sensitivities", "the derivatives of its results are not computed"),
+            (asked.animate, "--animate", "beams and setae alone are animated"),
+        ];
+        asked::refuse(&options, "a solid", ", or remove [solid] from the scene to compute a beam.")?;
+        let table = scene.solid.as_ref().ok_or_else(|| Refusal::scene("it has no table [solid]", "Add one."))?;
+        if scene.stations.iter().any(|at| at.quantity != StationQuantity::Displacement) {
+            return Err(Refusal::asked(
+                "a solid has stations at displacements alone",
+                "Give --at u=\"10 nm\", or `displacement` in output.stations.",
+            ));
+        }
+        Ok(Self { scene, settings: scene.solid_settings(table), states: asked.states })
+    }
+}
+
+/// The peel of a solid, as far as it went.
+pub struct SolidOutcome {
+    /// The path
+    pub peel: SolidPeel,
+    /// Whether its elements are longer than the process zone
+    pub long: Option<LongElements>,
+    /// That the path and its limit points on a finer mesh took
+    pub seconds: f64,
+    ground: HalfSpace,
+    states: Option<u32>,
+    interrupted: bool,
+}
+
+impl Analysis for SolidRun<'_> {
+    type Found = SolidOutcome;
+
+    fn run(&self, session: &Session) -> Result<SolidOutcome, Refusal> {
+        let Self { scene, settings, states } = self;
+        session.stage("path of the solid");
+        let (peel, seconds) = timed(|| peeled(scene, settings, session.stop(scene)));
+        let peel = peel.map_err(|error| Refusal::asked(error.to_string(), error.remedy()))?;
+        Ok(SolidOutcome {
+            peel,
+            long: settings.long_elements(&scene.model),
+            seconds,
+            ground: scene.model.adhesion.half_space(),
+            states: *states,
+            interrupted: session.watcher.asked(),
+        })
+    }
+}
+
+impl SolidOutcome {
+    /// The gap at rest, nm.
+    pub fn rest_gap(&self) -> f64 {
+        self.ground.equilibrium_gap()
+    }
+
+    fn summary<'a>(&'a self, scene: &'a Scene) -> SolidSummary<'a> {
+        SolidSummary::new(scene, &self.peel, self.long, self.seconds)
+    }
+}
+
+impl Outcome for SolidOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(self.summary(scene), command, SolidSummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let Self { peel, ground, .. } = self;
+        let mut files = vec![self.summary(scene).with_command(command).write(dir)?];
+        files.extend(report::write_solid_tables(dir, peel)?);
+        files.push(report::write_parameters(dir, scene, command)?);
+        if peel.points.len() > 1 {
+            files.extend(report::draw_solid(dir, peel, ground, &scene.title)?);
+        }
+        if let Some(count) = self.states {
+            files.extend(report::write_solid_states(dir, peel, self.rest_gap(), count as usize)?);
+        }
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        match &self.peel.end {
+            _ if self.interrupted => End::Interrupted { done: None, short: None },
+            SolidPathEnd::Failed(error) => End::CutShort(error.to_string()),
+            _ => End::Done,
+        }
+    }
+}

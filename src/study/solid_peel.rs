@@ -1,0 +1,424 @@
+//! The peel of a strip as a plane solid: its path, its limit points and their errors, how it ended.
+//!
+//! The path is followed as that of a beam, by [`crate::solve::PathTracer`]; what differs is the error. The mesh of a solid stays, so that each limit
+//! point is solved again on a finer one: one order more of Q(p,q), half the size of other elements. The difference counts once for a higher order,
+//! and twice for half the size, which is enough from an order of convergence of one on. Where the finer mesh has no limit point beside one, that is
+//! of the mesh: an element comes off by itself. The difference is then that to the equilibrium on the finer mesh whose front is at the same place.
+
+use super::asked::stop_criteria::{Bound, FollowedUntil, Stage, StopCriteria};
+use crate::model::peel::PeelModel;
+use crate::model::solid::{SolidError, SolidSettings};
+use crate::solid::strip::SolidStrip;
+use crate::solve::error::SolveError;
+use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
+use crate::solve::path::equilibrium_path::Path;
+use crate::solve::path::options::PathOptions;
+use crate::solve::path::segment::PathSegment;
+use crate::solve::points::locate::Located;
+use crate::solve::points::search::{BendRule, LimitPointKind, LimitPointSearch};
+use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint, State};
+use crate::solve::workspace::{Pace, Workspace};
+use std::sync::Arc;
+
+/// What is asked of the peel of a solid.
+#[derive(Clone, Debug)]
+pub struct SolidOptions {
+    /// Where the path is stopped although it goes on
+    pub stop: StopCriteria,
+    /// Displacements at which the path is solved, nm: where it first reaches each
+    pub stations: Vec<f64>,
+    /// How many limit points and stations are solved again on a finer mesh, from the first on
+    pub bounded: usize,
+    /// Error of a prediction along the path that its steps aim at, relative to the gap
+    pub step: f64,
+}
+
+impl Default for SolidOptions {
+    /// The whole path, with errors of the first twenty limit points.
+    fn default() -> Self {
+        Self { stop: StopCriteria::default(), stations: Vec::new(), bounded: 20, step: STEP }
+    }
+}
+
+/// An error of a prediction that steps aim at: those over one element are then some five or more.
+const STEP: f64 = 0.02;
+/// What a difference to a mesh of half the size counts.
+const OF_HALF_THE_SIZE: f64 = 2.0;
+
+/// An equilibrium of a solid.
+#[derive(Clone, Debug)]
+pub struct SolidPoint {
+    /// u, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Of the chord of the end face, rad
+    pub end_rotation: f64,
+    /// Length that has come off, by the logarithm of the gap, nm
+    pub front: f64,
+    /// Work of the grip from the start of the path on, aJ: none where the load has no potential
+    pub work: Option<f64>,
+    /// Negative eigenvalues with u held: none where the load has no potential
+    pub negative: Option<usize>,
+    /// The same with P held
+    pub negative_load: Option<usize>,
+    solution: Arc<Solution>,
+}
+
+impl SolidPoint {
+    /// Its unknowns, for the fields of [`SolidStrip`].
+    pub fn values(&self) -> &[f64] {
+        &self.solution.at.values
+    }
+}
+
+/// Bounds on the errors of an equilibrium, by a finer mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolidErrors {
+    /// Of u, nm
+    pub displacement: f64,
+    /// Of P, nN
+    pub force: f64,
+    /// Whether the finer mesh has this limit point as well; else it is one of the mesh
+    pub confirmed: bool,
+}
+
+/// A limit point of the path of a solid.
+#[derive(Clone, Debug)]
+pub struct SolidLimitPoint {
+    /// Of the displacement or of the force
+    pub kind: LimitPointKind,
+    /// u, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// It lies between `points[after]` and `points[after + 1]`.
+    pub after: usize,
+    /// None where it was not asked for, or where the finer mesh has no solution beside it
+    pub errors: Option<SolidErrors>,
+}
+
+/// The path at a displacement that was asked for.
+#[derive(Clone, Debug)]
+pub struct SolidStation {
+    /// u, nm
+    pub displacement: f64,
+    /// P, nN
+    pub force: f64,
+    /// Bound on the error of P, nN; none as of a limit point
+    pub force_error: Option<f64>,
+}
+
+/// How the path of a solid ends.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolidPathEnd {
+    /// No vertex of the contact face is nearer to the ground than 10 r0.
+    Detached,
+    /// The force has come back to zero behind a displacement limit point, and it is still in contact.
+    Pivoting,
+    /// u has returned to 0.
+    TurnedBack,
+    /// It goes on; a stop criterion was met.
+    Bound(Bound),
+    /// The path could not be continued.
+    Failed(TraceError),
+}
+
+/// The peel of a strip as a solid.
+#[derive(Clone, Debug)]
+pub struct SolidPeel {
+    /// What it was computed on
+    pub strip: Arc<SolidStrip>,
+    /// From rest on
+    pub points: Vec<SolidPoint>,
+    /// In path order
+    pub limit_points: Vec<SolidLimitPoint>,
+    /// Of those that were asked for, those that the path reached
+    pub stations: Vec<SolidStation>,
+    /// How it ended
+    pub end: SolidPathEnd,
+    /// Limit points that were not located, and steps on which the number of negative eigenvalues changed by more than limit points explain: what,
+    /// and behind which point
+    pub left_out: Vec<SolidLeftOut>,
+    /// Newton iterations, on the path and to its limit points
+    pub iterations: usize,
+}
+
+/// Something of a path that is not among its limit points.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolidLeftOut {
+    /// A limit point that was not located.
+    NotLocated {
+        /// Of the displacement or of the force
+        kind: LimitPointKind,
+        /// It lies between `points[after]` and `points[after + 1]`.
+        after: usize,
+        /// Why
+        cause: SolveError,
+    },
+    /// Negative eigenvalues with this quantity held that no limit point explains.
+    Inertia {
+        /// What is held
+        kind: LimitPointKind,
+        /// Between `points[after]` and `points[after + 1]`
+        after: usize,
+        /// At the first of these
+        from: usize,
+        /// At the second
+        to: usize,
+    },
+}
+
+impl SolidPeel {
+    /// The first maximum of the force.
+    pub fn initiation_peak(&self) -> Option<&SolidLimitPoint> {
+        self.limit_points.iter().find(|point| point.kind == LimitPointKind::Load)
+    }
+
+    /// The first displacement limit point: where a displacement-controlled test jumps.
+    pub fn snap_off(&self) -> Option<&SolidLimitPoint> {
+        self.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement)
+    }
+}
+
+/// The peel of a model as a solid.
+///
+/// # Errors
+/// What of the model or of the settings cannot be computed. Where the path stops short, [`SolidPeel::end`] says why, with all before.
+///
+/// ```
+/// use peelkit::model::{PeelModel, SolidSettings, StripModel};
+/// use peelkit::study::{FollowedUntil, SolidOptions, StopCriteria, peel_solid};
+///
+/// let mut model = PeelModel::from(StripModel::of_the_paper(40.0, 1.0));
+/// model.adhesion.far_face = false;
+/// let options = SolidOptions { stop: StopCriteria::up_to(0.6), ..SolidOptions::default() };
+/// let peel = peel_solid(&model, &SolidSettings::default(), &options)?;
+/// let peak = peel.initiation_peak().expect("the force has a peak");
+/// let errors = peak.errors.expect("it was found on a finer mesh as well");
+/// // in a rigid grip the strip of 100 nm has its first peak at 0.325137 nN, and so has one of 40 nm
+/// assert!((peak.force - 0.325137).abs() < errors.force && errors.force < 0.02);
+/// # Ok::<(), peelkit::model::SolidError>(())
+/// ```
+pub fn peel_solid(
+    model: &PeelModel,
+    settings: &SolidSettings,
+    options: &SolidOptions,
+) -> Result<SolidPeel, SolidError> {
+    let strip = Arc::new(settings.strip(model)?);
+    let problem = strip.problem();
+    let (traced, points) = Traced::follow(&strip, &problem, options);
+    let finer = (options.bounded > 0).then(|| Finer::new(&strip));
+    let bounded = |index: usize| finer.as_ref().filter(|_| index < options.bounded);
+    let solutions = &traced.solutions;
+    let limit_points = traced.found.iter().enumerate().map(|(index, (kind, after, located))| {
+        let [from, to] = [*after, after + 1].map(|k| solutions[k].observables.monitors[0]);
+        let errors = bounded(index).and_then(|finer| finer.limit_point(*kind, located, (to - from).abs()));
+        let Observables { displacement, force, .. } = located.observables;
+        SolidLimitPoint { kind: *kind, displacement, force, after: *after, errors }
+    });
+    let limit_points = limit_points.collect();
+    let mut stations = Vec::new();
+    for &displacement in &options.stations {
+        let Some(solution) = at_displacement(&problem, &solutions[..points.len()], displacement) else { continue };
+        let force_error = bounded(stations.len()).and_then(|finer| finer.station(&solution, solutions));
+        stations.push(SolidStation { displacement, force: solution.observables.force, force_error });
+    }
+    let Traced { left_out, iterations, end, .. } = traced;
+    Ok(SolidPeel { strip, points, limit_points, stations, end, left_out, iterations })
+}
+
+/// A path as far as it was followed.
+struct Traced {
+    solutions: Vec<Arc<Solution>>,
+    found: Vec<(LimitPointKind, usize, Located)>,
+    left_out: Vec<SolidLeftOut>,
+    iterations: usize,
+    end: SolidPathEnd,
+}
+
+impl Traced {
+    /// From rest to its end, with its points; a few solutions may be known behind the last of them.
+    fn follow(strip: &SolidStrip, problem: &Problem, options: &SolidOptions) -> (Self, Vec<SolidPoint>) {
+        let path = PathOptions {
+            step_tolerance: options.step,
+            first_displacement: FIRST * strip.rest_gap(),
+            ..PathOptions::default()
+        };
+        let path = Path::new(problem, path).until(options.stop.for_solves(Stage::Path));
+        let mut tracer = PathTracer::new(problem, path, TraceOptions::default());
+        let (mut found, mut left_out, mut points) = (Vec::new(), Vec::new(), Vec::<SolidPoint>::new());
+        let mut first: Option<Arc<Solution>> = None;
+        let end = loop {
+            if let Some(bound) = options.stop.reached_bound(Stage::Path) {
+                break SolidPathEnd::Bound(bound);
+            }
+            let turned = found.iter().any(|(kind, _, _)| *kind == LimitPointKind::Displacement);
+            let solution = match tracer.advance() {
+                Ok(PathEvent::Point(solution)) => solution,
+                Ok(PathEvent::LimitPoint { kind, after, located }) => {
+                    found.push((kind, after, located));
+                    continue;
+                }
+                Ok(PathEvent::InertiaChange { kind, after, from, to, .. }) => {
+                    left_out.push(SolidLeftOut::Inertia { kind, after, from, to });
+                    continue;
+                }
+                Ok(PathEvent::BranchPoint { .. }) => continue,
+                // the path goes on, and its point behind is known
+                Err(TraceError::NotLocated { kind, after, cause, .. }) if cause != SolveError::Stopped => {
+                    left_out.push(SolidLeftOut::NotLocated { kind, after, cause });
+                    match tracer.path().points().get(after + 1) {
+                        Some(solution) => solution.clone(),
+                        None => continue,
+                    }
+                }
+                Err(error) => match options.stop.reached_bound(Stage::Path) {
+                    Some(bound) => break SolidPathEnd::Bound(bound),
+                    None => break SolidPathEnd::Failed(error),
+                },
+            };
+            let rest = first.get_or_insert_with(|| solution.clone());
+            let point = SolidPoint::new(strip, &solution, rest.energy);
+            let (displacement, force) = (point.displacement, point.force);
+            points.push(point);
+            if points.len() == 1 {
+                continue;
+            }
+            if strip.is_detached(&solution.at.values) {
+                break SolidPathEnd::Detached;
+            }
+            if displacement <= 0.0 {
+                break SolidPathEnd::TurnedBack;
+            }
+            if turned && force <= 0.0 {
+                break SolidPathEnd::Pivoting;
+            }
+            if points.len() >= options.stop.points {
+                break SolidPathEnd::Bound(Bound::Points(options.stop.points));
+            }
+            if let Some(most) = options.stop.displacement.filter(|&most| displacement > most) {
+                break SolidPathEnd::Bound(Bound::Displacement(most));
+            }
+            if turned && options.stop.until == FollowedUntil::FirstJump {
+                break SolidPathEnd::Bound(Bound::Until(FollowedUntil::FirstJump));
+            }
+        };
+        let solutions = tracer.path().points().to_vec();
+        (Self { solutions, found, left_out, iterations: tracer.iterations(), end }, points)
+    }
+}
+
+/// The first step, over the gap at rest.
+const FIRST: f64 = 0.03;
+
+impl SolidPoint {
+    fn new(strip: &SolidStrip, solution: &Arc<Solution>, at_rest: f64) -> Self {
+        let counts = strip.has_potential();
+        let o = solution.observables;
+        Self {
+            displacement: o.displacement,
+            force: o.force,
+            end_rotation: o.recorded,
+            front: o.monitors[0],
+            work: counts.then_some(solution.energy - at_rest),
+            negative: counts.then_some(solution.negative),
+            negative_load: counts.then_some(solution.negative_load),
+            solution: solution.clone(),
+        }
+    }
+}
+
+/// Error of a solution, relative as in [`crate::solve::System::size`].
+const TOLERANCE: f64 = 1e-9;
+
+/// The equilibrium at a displacement where a path first reaches it.
+fn at_displacement(problem: &Problem, points: &[Arc<Solution>], displacement: f64) -> Option<Solution> {
+    let reached = |point: &Arc<Solution>| point.observables.displacement >= displacement;
+    let after = points.windows(2).position(|pair| !reached(&pair[0]) && reached(&pair[1]))?;
+    let segment = PathSegment::around(problem, points, after);
+    let [from, to] = [after, after + 1].map(|k| points[k].observables.displacement);
+    let share = (displacement - from) / (to - from);
+    let start = segment.start(problem, share * segment.end(), 4);
+    let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
+    solve(problem, start, &constraint, &newton(), &mut Workspace::default()).ok()
+}
+
+fn newton() -> NewtonOptions {
+    NewtonOptions { tolerance: TOLERANCE, largest_update: MOST_UPDATE, most_iterations: 20, exact_slope: true }
+}
+
+/// A first update on a finer mesh may be larger than on a path: what it finds is looked at.
+const MOST_UPDATE: f64 = 2.0;
+/// On a finer mesh the front may not be further from where it is than this share of the height of the strip, and a quantity no more than this
+/// share of itself: else another point has been found.
+const SAME_PLACE: f64 = 0.3;
+
+/// The same strip on a finer mesh.
+struct Finer<'s> {
+    strip: &'s SolidStrip,
+    fine: Arc<SolidStrip>,
+    problem: Problem,
+    /// What a difference counts
+    factor: f64,
+}
+
+impl<'s> Finer<'s> {
+    fn new(strip: &'s SolidStrip) -> Self {
+        let fine = Arc::new(strip.refined());
+        let factor = if fine.element() == strip.element() { OF_HALF_THE_SIZE } else { 1.0 };
+        Self { strip, problem: fine.problem(), fine, factor }
+    }
+
+    /// Errors of a limit point; `width` is the length over which the front moves on its step.
+    fn limit_point(&self, kind: LimitPointKind, located: &Located, width: f64) -> Option<SolidErrors> {
+        let coarse = &located.observables;
+        let at = &located.solution.at;
+        let weights = Observables::monitor(0);
+        let search = LimitPointSearch { problem: &self.problem, weights, kind, width };
+        let start = self.equilibrium(at, coarse, weights)?;
+        let target = start.observables.monitors[0];
+        let rule = BendRule::Difference { neighbour: None };
+        let found = search.run(start.at.clone(), target, rule, &mut Workspace::default());
+        let same = found.ok().filter(|found| {
+            let (fine, scale) = (&found.observables, SAME_PLACE * self.problem.measure.monitors[0]);
+            let near = (fine.monitors[0] - coarse.monitors[0]).abs() <= scale;
+            near && (fine.force - coarse.force).abs() <= SAME_PLACE * coarse.force.abs()
+        });
+        Some(match same {
+            Some(found) => self.errors(coarse, &found.observables, true),
+            None => self.errors(coarse, &start.observables, false),
+        })
+    }
+
+    /// Error of the force at a displacement: the largest over the points of the path while the front passes through one element. Along it the
+    /// error of a coarse mesh changes its sign.
+    fn station(&self, solution: &Solution, path: &[Arc<Solution>]) -> Option<f64> {
+        let half = 0.5 * self.strip.longest_column();
+        let front = |solution: &Solution| solution.observables.monitors[0];
+        let beside = path.iter().filter(|point| (front(point) - front(solution)).abs() <= half);
+        let all = beside.map(|point| &**point).chain(std::iter::once(solution));
+        let error = |point: &Solution| {
+            let fine = self.equilibrium(&point.at, &point.observables, Observables::DISPLACEMENT)?;
+            Some(self.errors(&point.observables, &fine.observables, true).force)
+        };
+        all.map(error).try_fold(0.0, |largest: f64, error| Some(largest.max(error?)))
+    }
+
+    fn equilibrium(&self, at: &State, coarse: &Observables, weights: Observables) -> Option<Solution> {
+        let start = self.fine.state_of(self.strip, at);
+        let constraint = PathConstraint { weights, target: weights.dot(coarse) };
+        // what is carried over is no equilibrium yet: its first updates may wander
+        let ws = &mut Workspace::default().at(Pace::Wary);
+        solve(&self.problem, start.clone(), &constraint, &newton(), ws)
+            .or_else(|_| settle(&self.problem, start, &constraint, &newton(), ws))
+            .ok()
+    }
+
+    fn errors(&self, coarse: &Observables, fine: &Observables, confirmed: bool) -> SolidErrors {
+        let change = fine.since(coarse).times(self.factor);
+        SolidErrors { displacement: change.displacement.abs(), force: change.force.abs(), confirmed }
+    }
+}
