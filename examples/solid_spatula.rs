@@ -14,7 +14,7 @@ use std::time::Instant;
 /// Where the curve is told, nm.
 const CURVE: [f64; 6] = [25.0, 50.0, 100.0, 150.0, 200.0, 250.0];
 /// Longest step between, nm.
-const STEP: f64 = 5.0;
+const STEP: f64 = 50.0;
 /// Where the stations at the tip become fine, how far from the tip, how close they are and how far the peak is looked for, nm.
 const REFINED_AT: f64 = 345.0;
 const ZONE: FineZone = FineZone { from: 0.0, to: 80.0, along: 1.0 };

@@ -115,7 +115,7 @@ impl Problem {
     }
 
     /// A state with the grip moved on along the drive, nm.
-    pub(super) fn moved(&self, at: State, ahead: f64) -> State {
+    pub(crate) fn moved(&self, at: State, ahead: f64) -> State {
         self.grip.moved(&*self.system, at, ahead)
     }
 

@@ -135,7 +135,7 @@ impl ElementPlace<'_> {
             let t = self.t((k % ACROSS) as f64 - 1.0);
             let end = along / 2;
             let InPlane { place, slope } = self.geometry.in_plane(self.stations[end], self.axis[end], zeta, t);
-            if along % 2 == 0 { place } else { slope }
+            if along.is_multiple_of(2) { place } else { slope }
         })
     }
 

@@ -87,7 +87,7 @@ impl SolidSpatula {
         let height = |(station, &place): (usize, &f64)| {
             let line = |line: usize| {
                 let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
-                let t = if line % 2 == 0 { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
+                let t = if line.is_multiple_of(2) { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
                 geometry.in_plane(place, axis[station], -1.0, t).place[1]
             };
             (0..layout.lines()).map(line).collect()

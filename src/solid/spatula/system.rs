@@ -205,7 +205,7 @@ impl System for SolidSpatula {
         factors.carried.clear();
         for column in 0..columns {
             let Factors { columns: eliminations, works, front, carried, .. } = &mut *factors;
-            if column % AT_ONCE == 0 {
+            if column.is_multiple_of(AT_ONCE) {
                 self.compute(values, column..(column + AT_ONCE).min(columns), works);
             }
             let (own, next) = (layout.at(column), layout.at(column + 1));
