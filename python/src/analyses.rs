@@ -7,7 +7,9 @@ use crate::interrupt::Watch;
 use crate::scene::NativeScene;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
 use peelkit::study::{MeasuredPoint, observed};
-use peelkit_analyses::{Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, SolidRun, TipCoarsening, Uncertainty};
+use peelkit_analyses::{
+    Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, SolidRun, TipCoarsening, Uncertainty,
+};
 use peelkit_report::{ObservedSummary, Record, pull_off_columns, rate_columns, solid_columns, timed};
 use pyo3::prelude::*;
 use std::path::Path;

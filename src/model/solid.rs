@@ -119,7 +119,7 @@ impl SolidError {
             }
             Self::NoRows => "Give a number from 1 on.".into(),
             Self::TooMany { .. } => "Give longer elements or fewer rows.".into(),
-            Self::Grading { .. } => "Give six cuts at a ratio of 0.3, say.".into(),
+            Self::Grading { .. } => "Give three cuts at a ratio of 0.25, say.".into(),
             Self::TractionHolds { held } => {
                 format!("Give `grip = \"rigid\"` under [solid], or `{held} = \"free\"` under [grip].")
             }

@@ -89,7 +89,7 @@ impl SolidElement {
     pub(crate) fn line(self, rows: usize) -> Vec<LineFunction> {
         let mut functions = Vec::new();
         for row in 0..=rows {
-            let bubbles = if row < rows { 2..=self.order_through() } else { 2..=1 };
+            let bubbles = (2..=self.order_through()).filter(|_| row < rows);
             let all = std::iter::once(None).chain(bubbles.map(Some));
             for bubble in all {
                 let of = |slope| LineFunction { row, bubble, slope };

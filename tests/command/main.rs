@@ -26,8 +26,8 @@ mod seta_at_a_rate;
 mod seta_pressed;
 #[cfg(unix)]
 mod seta_table;
-mod space;
 mod solid;
+mod space;
 mod stations;
 mod statuses;
 mod steps;

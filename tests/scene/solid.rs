@@ -73,7 +73,10 @@ fn what_a_solid_does_not_have_is_refused_by_its_own_key() {
         let (path, value) = given.split_once('=').unwrap();
         let text = format!("{MINIMAL}[solid]\n{more}");
         let error = Scene::parse_any("strip.toml", &text, &set(path, value)).unwrap_err();
-        assert!(error.to_string().contains(&format!("`{key}`")) && error.to_string().contains(says), "{given}: {error}");
+        assert!(
+            error.to_string().contains(&format!("`{key}`")) && error.to_string().contains(says),
+            "{given}: {error}"
+        );
         assert!(!error.remedy().is_empty(), "{given}");
     }
 }

@@ -42,7 +42,8 @@ struct Measured {
 }
 
 pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportError> {
-    let all: Vec<_> = std::iter::once(REFERENCE).chain(CASES.map(|(element, along, rows, _)| (element, along, rows))).collect();
+    let all: Vec<_> =
+        std::iter::once(REFERENCE).chain(CASES.map(|(element, along, rows, _)| (element, along, rows))).collect();
     let peels: Vec<SolidPeel> = all.par_iter().map(|&case| peeled(runner, case)).collect();
     let (reference, peels) = peels.split_first().expect("the reference is among them");
     let mut table = Table::new(&[
@@ -58,14 +59,16 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
         "displacement_limit_points",
     ]);
     let exact = reference.initiation_peak().map(|peak| peak.force);
-    let mut panels: Vec<Panel> = [4.0, 2.0].iter().enumerate().map(|(index, &along)| panel(index, along, reference)).collect();
+    let mut panels: Vec<Panel> =
+        [4.0, 2.0].iter().enumerate().map(|(index, &along)| panel(index, along, reference)).collect();
     for (peel, (element, along, rows, colour)) in peels.iter().zip(CASES) {
         let name = element.to_string();
         let line = Line::named(&name, within(peel), Stroke::solid(colour, 1.6));
         panels[usize::from(along == 2.0)].lines.push(line);
         let measured = measured(peel, reference, along);
         let peak = peel.initiation_peak().map(|peak| peak.force);
-        let turns = peel.limit_points.iter().filter(|at| at.kind == peelkit::study::LimitPointKind::Displacement).count();
+        let turns =
+            peel.limit_points.iter().filter(|at| at.kind == peelkit::study::LimitPointKind::Displacement).count();
         let of = |of: fn(&Measured) -> f64| measured.as_ref().map(of);
         table.push(
             &[&name],
@@ -138,7 +141,8 @@ fn measured(peel: &SolidPeel, reference: &SolidPeel, along: f64) -> Option<Measu
         return None;
     }
     let middle = 0.5 * (FROM + to);
-    let powers = DMatrix::from_fn(at.len(), SMOOTH + 1, |row, power| ((at[row].0 - middle) / (to - middle)).powi(power as i32));
+    let powers =
+        DMatrix::from_fn(at.len(), SMOOTH + 1, |row, power| ((at[row].0 - middle) / (to - middle)).powi(power as i32));
     let values = DVector::from_iterator(at.len(), at.iter().map(|at| at.1));
     let smooth = powers.clone().svd(true, true).solve(&values, 1e-12).ok()?;
     let left = values - powers * &smooth;

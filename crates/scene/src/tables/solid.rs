@@ -91,7 +91,11 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
             "path.until",
             "is followed to the end or to its first limit points",
         ),
-        (scene.stations.iter().any(|at| at.quantity != StationQuantity::Displacement), "output.stations", "has stations at displacements alone"),
+        (
+            scene.stations.iter().any(|at| at.quantity != StationQuantity::Displacement),
+            "output.stations",
+            "has stations at displacements alone",
+        ),
     ];
     let found = of_beams.into_iter().find(|(is_given, ..)| *is_given).map(|(_, key, why)| {
         let problem = ValueError::new(
