@@ -138,6 +138,8 @@ fn of_solid(peel: &SolidPeel) -> PulledCurve {
     let is_off = peel.end == SolidPathEnd::Detached;
     curve.detached = peel.points.last().filter(|_| is_off).map(|last| last.displacement);
     curve.short = match &peel.end {
+        // as far as it was asked for, it is whole
+        SolidPathEnd::Bound(Bound::Until(_)) => None,
         SolidPathEnd::Bound(bound) => Some(bound.to_string()),
         SolidPathEnd::Failed(error) => Some(error.to_string()),
         _ => None,

@@ -26,7 +26,7 @@ impl Record for SolidFound<'_> {
         of.field("peak", "the load limit point with the largest force up to the first jump; null where there is none", |found| solid_peak(found.peel));
         of.field("initiation_peak", "the first load limit point, else null", |found| found.peel.initiation_peak());
         of.field("first_jump", "the first displacement limit point, else null", |found| found.peel.snap_off());
-        of.field("limit_points", "all limit points, in path order", |found| found.peel.limit_points.as_slice());
+        of.field("limit_points", "all limit points, in path order", |found| found.peel.limit_points.iter().map(Turn).collect::<Vec<_>>());
         of.sometimes("stations", "with `output.stations` or `--at`: the path at the displacements that were asked for", |found| Some(found.peel.stations.as_slice()).filter(|stations| !stations.is_empty()));
         of.field("warnings", "what is not to be trusted", |found| solid_warnings(found.peel, found.long.as_ref()));
         of.field("left_out", "limit points that were not located, and changes of inertia that none explains, in words", |found| found.peel.left_out.iter().map(left_out).collect::<Vec<_>>());
@@ -40,6 +40,15 @@ impl Record for SolidFound<'_> {
             of.field("newton_iterations", "Newton iterations, those to the limit points among them", |found| found.peel.iterations);
         });
         of.group("timing", "wall clock", |of| of.field("solve_s", "of the path and of its limit points on the finer mesh", |found| found.solve_s));
+    }
+}
+
+/// A limit point among all.
+struct Turn<'a>(&'a SolidLimitPoint);
+
+impl Record for Turn<'_> {
+    fn fields(of: &mut Fields<Self>) {
+        of.part(|turn| turn.0);
     }
 }
 
