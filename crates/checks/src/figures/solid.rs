@@ -123,7 +123,10 @@ fn panel(index: usize, along: f64, reference: &SolidPeel) -> Panel {
     let line = Line::named("reference", within(reference), Stroke::dashed(colour::INK, 1.4));
     let x = Axis::linear("displacement u (nm)", 0.5 * FROM, FAR);
     let y = Axis::linear("force P (nN)", 0.04, 0.16);
-    let mut panel = Panel::of_lines(Frame::column(index, 2), x, y, vec![line]);
+    // below the title of the picture stands that of the panel
+    let column = Frame::column(index, 2);
+    let frame = Frame { top: column.top + 18.0, bottom: column.bottom + 18.0, ..column };
+    let mut panel = Panel::of_lines(frame, x, y, vec![line]);
     panel.title = format!("elements of {along} nm");
     panel
 }
