@@ -47,6 +47,8 @@ impl Frame {
 /// How far from its point a label may stand, pixels; a number alone stands at one of the first ones.
 const DISTANCES: [f64; 13] = [9.0, 14.0, 20.0, 28.0, 38.0, 50.0, 64.0, 80.0, 100.0, 125.0, 150.0, 180.0, 215.0];
 const NEARBY: usize = 9;
+/// What a leader counts that crosses another one: as much as a label over a curve of some 40 pixels.
+const CROSSING: f64 = 13.0;
 /// Places of a leader that are looked at.
 const LOOKS: usize = 32;
 /// What is nearer to a legend is beside it, pixels.
@@ -113,21 +115,22 @@ impl Places {
         self.take(tries.collect())
     }
 
-    /// Takes a place near `at` for a block. Its leader crosses no other one and runs through no label where there is such a place.
+    /// Takes a place near `at` for a block.
     pub fn beside(&mut self, at: Pixel, width: f64, height: f64) -> Frame {
-        let tries = self.around(at, width, height, &DISTANCES[..NEARBY]);
-        let uncrossed = self.uncrossed(at, &tries, |frame| !self.hides(at, frame));
-        self.take(if uncrossed.is_empty() { tries } else { uncrossed })
+        let mut tries = self.around(at, width, height, &DISTANCES[..NEARBY]);
+        for (frame, toll) in &mut tries {
+            *toll += self.crossing(at, frame) + if self.hides(at, frame) { CROSSING } else { 0.0 };
+        }
+        self.take(tries)
     }
 
-    /// Of these places those whose leader crosses no other one, and that pass.
-    fn uncrossed(&self, at: Pixel, tries: &[(Frame, f64)], passes: impl Fn(&Frame) -> bool) -> Vec<(Frame, f64)> {
-        let apart = |frame: &Frame| !self.leaders.iter().any(|&other| cross([at, frame.nearest(at)], other));
-        tries.iter().filter(|(frame, _)| apart(frame) && passes(frame)).copied().collect()
+    /// What speaks against a block near `at` whose leader crosses another one.
+    fn crossing(&self, at: Pixel, frame: &Frame) -> f64 {
+        let crosses = self.leaders.iter().any(|&other| cross([at, frame.nearest(at)], other));
+        if crosses { CROSSING } else { 0.0 }
     }
 
-    /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place. Its leader crosses no other
-    /// one where there is such a place.
+    /// Takes a place near `at` for a block that covers no other one and stays inside; none where there is no such place.
     pub fn clear_beside(&mut self, at: Pixel, width: f64, height: f64) -> Option<Frame> {
         let mut tries = self.around(at, width, height, &DISTANCES);
         tries.retain(|(frame, _)| {
@@ -135,8 +138,9 @@ impl Places {
                 self.leaders.iter().any(|&[a, b]| clip_segment(a, b, frame).is_some()) || self.hides(at, frame);
             self.covered(frame) == 0.0 && self.outside(frame) < 1.0 && !led_through
         });
-        let uncrossed = self.uncrossed(at, &tries, |_| true);
-        let tries = if uncrossed.is_empty() { tries } else { uncrossed };
+        for (frame, toll) in &mut tries {
+            *toll += self.crossing(at, frame);
+        }
         (!tries.is_empty()).then(|| self.take(tries))
     }
 
