@@ -188,7 +188,7 @@ fn steady_forces_against_an_angle_are_fitted() {
         (-b + (b * b + 4.0 * a * 100.0 * width).sqrt()) / (2.0 * a)
     };
     let row = |angle: f64| format!("{angle},{}\n", force(angle) / width / 40.0);
-    let rows: String = [75.0, 90.0, 90.0, 120.0].map(row).concat();
+    let rows: String = [60.0, 75.0, 90.0, 90.0].map(row).concat();
     std::fs::write(dir.path().join("steady.csv"), format!("drive.angle (deg),force (N/25mm)\n{rows}")).unwrap();
     let scene = format!("{SCENES}/tape.toml");
     let set = ["path.until=end", "fit.parameters=[\"adhesion.work\"]", "adhesion.work=130 J/m2", "strip.length=10 mm"];

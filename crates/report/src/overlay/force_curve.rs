@@ -52,11 +52,12 @@ type Found = (usize, f64);
 pub fn read_force_curve(path: &Path, named: &FitColumns, width: Option<f64>) -> Result<ForceRecord, OverlayError> {
     let columns = Columns::read_record(path)?;
     let wrong = |found: String| OverlayError::new(path, found, REMEDY);
+    let varied = varied(&columns).map_err(wrong)?;
+    let key = varied.map(|(_, (column, _))| column);
     let of = |role: Role, name: &Option<String>| match name {
         Some(name) => by_name(&columns, role, name, width).map(Some).map_err(wrong),
-        None => by_unit(&columns, role, named, width).map_err(wrong),
+        None => by_unit(&columns, role, named, width, key).map_err(wrong),
     };
-    let varied = varied(&columns).map_err(wrong)?;
     let (across, force) = match varied {
         Some((_, found)) => (Some(found), of(Role::Force, &named.force)?),
         None => (of(Role::Displacement, &named.displacement)?, of(Role::Force, &named.force)?),
@@ -131,18 +132,22 @@ fn by_name(columns: &Columns, role: Role, name: &str, width: Option<f64>) -> Res
     }
 }
 
-/// The only column with a unit of this role that the scene does not name for another one.
-fn by_unit(columns: &Columns, role: Role, named: &FitColumns, width: Option<f64>) -> Result<Option<Found>, String> {
+/// The only column with a unit of this role that the scene does not name for another one, and that is not the one of a key.
+fn by_unit(
+    columns: &Columns,
+    role: Role,
+    named: &FitColumns,
+    width: Option<f64>,
+    key: Option<usize>,
+) -> Result<Option<Found>, String> {
     let FitColumns { displacement, force, force_error } = named;
     let is_named = |name: &str| {
         [displacement, force, force_error].into_iter().flatten().any(|own| without_unit(own) == without_unit(name))
     };
     let says_error = |name: &str| ERROR_WORDS.iter().any(|word| name.to_lowercase().contains(word));
-    let found = columns
-        .header
-        .iter()
-        .enumerate()
-        .filter(|(_, name)| (role == Role::ForceError) == says_error(name) && !is_named(name));
+    let found = columns.header.iter().enumerate().filter(|(column, name)| {
+        (role == Role::ForceError) == says_error(name) && !is_named(name) && Some(*column) != key
+    });
     let found: Vec<Found> = found.filter_map(|(column, name)| Some((column, unit(role, name, width)?))).collect();
     match found[..] {
         [] => Ok(None),
