@@ -139,6 +139,9 @@ fn displacement_error(value: &Value) -> Result<DisplacementError, Fault> {
 /// The names of columns.
 fn columns(value: &Value) -> Result<FitColumns, String> {
     let Value::Table(entries) = value else { return Err(format!("is {value}, no table")) };
+    if entries.is_empty() {
+        return Err("names no column".to_owned());
+    }
     let name = |wanted: &str| match entry(entries, NAMED, wanted).map_err(|found| format!("has {found}"))? {
         None => Ok(None),
         Some(Value::Text(text)) if !text.trim().is_empty() => Ok(Some(text.trim().to_owned())),

@@ -112,7 +112,9 @@ fn same_step(given: &str, stored: &str) -> bool {
 /// A quantity in a unit of this list, in the unit of the library; nothing where the unit is another one.
 fn quantity(text: &str, library: &str) -> Option<f64> {
     let units: &[(&str, f64)] = match library {
-        "nm" => &[("nm", 1.0), ("um", 1e3), ("µm", 1e3), ("μm", 1e3), ("mm", 1e6), ("pm", 1e-3), ("m", 1e9)],
+        "nm" => {
+            &[("nm", 1.0), ("um", 1e3), ("µm", 1e3), ("μm", 1e3), ("mm", 1e6), ("pm", 1e-3), ("Å", 0.1), ("m", 1e9)]
+        }
         "GPa" => &[("GPa", 1.0), ("MPa", 1e-3), ("kPa", 1e-6), ("Pa", 1e-9)],
         "rad/nm" => &[("rad/nm", 1.0), ("deg/nm", std::f64::consts::PI / 180.0)],
         "rad" => &[("rad", 1.0), ("deg", std::f64::consts::PI / 180.0)],
