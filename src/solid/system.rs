@@ -478,11 +478,6 @@ impl System for SolidStrip {
         self.gathered(&residual, &self.grip.jacobian(&at.values[self.inside()..]))
     }
 
-    fn size(&self, direction: &[f64], at: &State) -> f64 {
-        let sizes = self.per_unit(at).into_iter().zip(direction).map(|(unit, change)| (unit * change).abs());
-        sizes.fold(0.0, |largest: f64, size| if size.is_nan() || size > largest { size } else { largest })
-    }
-
     fn per_unit(&self, at: &State) -> Vec<f64> {
         let gaps = self.gaps(&self.displacements(&at.values));
         let unit = |line: usize| 1.0 / (gaps[line].abs() + self.gap_scale());

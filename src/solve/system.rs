@@ -235,7 +235,10 @@ pub trait System: Send + Sync {
     }
 
     /// Size of a direction at these values: 1 is a change of the order of the problem's own scales. NaN where a number is none.
-    fn size(&self, direction: &[f64], at: &State) -> f64;
+    fn size(&self, direction: &[f64], at: &State) -> f64 {
+        let sizes = self.per_unit(at).into_iter().zip(direction).map(|(unit, change)| (unit * change).abs());
+        sizes.fold(0.0, |largest: f64, size| if size.is_nan() || size > largest { size } else { largest })
+    }
 
     /// What each number of a direction is multiplied with to be measured as in [`System::size`].
     fn per_unit(&self, at: &State) -> Vec<f64>;

@@ -177,6 +177,13 @@ impl SolidPeel {
         self.limit_points.iter().find(|point| point.kind == LimitPointKind::Load)
     }
 
+    /// The load limit point with the largest force up to the first jump.
+    pub fn peak(&self) -> Option<&SolidLimitPoint> {
+        let last = self.snap_off().map_or(usize::MAX, |jump| jump.after);
+        let maxima = self.limit_points.iter().filter(|at| at.kind == LimitPointKind::Load && at.after <= last);
+        maxima.max_by(|a, b| a.force.total_cmp(&b.force))
+    }
+
     /// The first displacement limit point: where a displacement-controlled test jumps.
     pub fn snap_off(&self) -> Option<&SolidLimitPoint> {
         self.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement)

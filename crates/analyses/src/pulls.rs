@@ -63,8 +63,7 @@ impl Pulls {
                 Ok(Pulled { peak, work: whole.then_some(found.work), curve })
             }
             Described::Solid(table) => {
-                let peel =
-                    peeled(scene, &scene.solid_settings(table), stop.clone()).map_err(|error| error.to_string())?;
+                let peel = peeled(scene, table, stop.clone()).map_err(|error| error.to_string())?;
                 let found = SolidResult::from(&peel);
                 let curve = of_solid(&peel);
                 let peak = found.peak.filter(|_| curve.short.is_none());
@@ -93,7 +92,7 @@ impl Pulls {
                 Ok(at_rate(&pulled, failed, stop))
             }
             Described::Solid(table) => {
-                let peel = peeled(scene, &scene.solid_settings(table), stop.clone());
+                let peel = peeled(scene, table, stop.clone());
                 Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
             Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),

@@ -1,13 +1,13 @@
 //! What peels of solids have in common: the path of the strip of a scene.
 
-use peelkit::model::{SolidError, SolidSettings};
+use peelkit::model::SolidError;
 use peelkit::study::{SolidOptions, SolidPeel, StopCriteria, peel_solid};
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SolidTable};
 
-/// The peel of the strip of a scene on these settings, with the stations that the scene asks for.
-pub fn peeled(scene: &Scene, settings: &SolidSettings, stop: StopCriteria) -> Result<SolidPeel, SolidError> {
+/// The peel of the strip of a scene as the solid of its table, with the stations that the scene asks for.
+pub fn peeled(scene: &Scene, table: &SolidTable, stop: StopCriteria) -> Result<SolidPeel, SolidError> {
     let usual = SolidOptions::default();
     let stations = scene.stations.iter().map(|at| at.value).collect();
     let step = scene.accuracy.choice.step.unwrap_or(usual.step);
-    peel_solid(&scene.model, settings, &SolidOptions { stop, stations, step, ..usual })
+    peel_solid(&scene.model, &scene.solid_settings(table), &SolidOptions { stop, stations, step, ..usual })
 }

@@ -81,7 +81,7 @@ pub use seta::tables::{
 pub use seta::vtk::{SETA_STATE_FIELDS, SetaStateField, write_seta_states};
 pub use solid::fields::write_solid_states;
 pub use solid::picture::draw_solid;
-pub use solid::summary::{SolidFound, SolidSummary, solid_end_reason, solid_end_word, solid_peak, solid_warnings};
+pub use solid::summary::{SolidFound, SolidSummary, solid_end_reason, solid_end_word, solid_warnings};
 pub use solid::sweep::{SolidResult, SolidRow, SolidTurn, draw_swept_solids, write_swept_solids};
 pub use solid::tables::{solid_columns, write_solid_tables};
 pub use states::fields::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};

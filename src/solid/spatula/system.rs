@@ -311,11 +311,6 @@ impl System for SolidSpatula {
         self.assembled(&at.values).1
     }
 
-    fn size(&self, direction: &[f64], at: &State) -> f64 {
-        let sizes = self.per_unit(at).into_iter().zip(direction).map(|(unit, change)| (unit * change).abs());
-        sizes.fold(0.0, |largest: f64, size| if size.is_nan() || size > largest { size } else { largest })
-    }
-
     fn per_unit(&self, at: &State) -> Vec<f64> {
         let gaps = self.gaps(&at.values);
         let unit = |station: usize| 1.0 / (gaps[station].abs() + self.gap_scale());

@@ -5,17 +5,17 @@ use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::session::Session;
 use crate::solid::peeled;
 use peelkit::adhesion::HalfSpace;
-use peelkit::model::{LongElements, SolidSettings};
+use peelkit::model::LongElements;
 use peelkit::study::{SolidPathEnd, SolidPeel, StationQuantity};
 use peelkit_report::{self as report, ReportError, SolidSummary, timed};
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SolidTable};
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// The peel of a strip as a solid.
 pub struct SolidRun<'s> {
     scene: &'s Scene,
-    settings: SolidSettings,
+    table: &'s SolidTable,
     states: Option<u32>,
 }
 
@@ -43,7 +43,7 @@ impl<'s> SolidRun<'s> {
                 "Give --at u=\"10 nm\", or `displacement` in output.stations.",
             ));
         }
-        Ok(Self { scene, settings: scene.solid_settings(table), states: asked.states })
+        Ok(Self { scene, table, states: asked.states })
     }
 }
 
@@ -64,13 +64,13 @@ impl Analysis for SolidRun<'_> {
     type Found = SolidOutcome;
 
     fn run(&self, session: &Session) -> Result<SolidOutcome, Refusal> {
-        let Self { scene, settings, states } = self;
+        let Self { scene, table, states } = self;
         session.stage("path of the solid");
-        let (peel, seconds) = timed(|| peeled(scene, settings, session.stop(scene)));
+        let (peel, seconds) = timed(|| peeled(scene, table, session.stop(scene)));
         let peel = peel.map_err(|error| Refusal::asked(error.to_string(), error.remedy()))?;
         Ok(SolidOutcome {
             peel,
-            long: settings.long_elements(&scene.model),
+            long: scene.solid_settings(table).long_elements(&scene.model),
             seconds,
             ground: scene.model.adhesion.half_space(),
             states: *states,

@@ -223,7 +223,7 @@ fn pull_off(scene: &Scene, setae: &Setae, session: &Session) -> Result<SetaResul
 /// The peel of the solid of a scene, or why there is none.
 fn solid(scene: &Scene, session: &Session) -> Result<SolidResult, String> {
     let Described::Solid(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
-    let peel = peeled(scene, &scene.solid_settings(table), session.stop_of_one(scene));
+    let peel = peeled(scene, table, session.stop_of_one(scene));
     peel.map(|peel| SolidResult::from(&peel)).map_err(|error| error.to_string())
 }
 

@@ -5,7 +5,7 @@ use super::sweep::{headed, largest, listed, none, pair, title, values};
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::LongElements;
 use peelkit::study::{LimitPointKind, SolidLimitPoint, SolidPeel};
-use peelkit_report::{SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_peak, solid_warnings};
+use peelkit_report::{SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_warnings};
 use peelkit_scene::Scene;
 use std::fmt::Write;
 
@@ -33,7 +33,7 @@ pub fn solid(
         None => format!("{} at u = {}, without a bound", force.short(at.force), length.short(at.displacement)),
     };
     let or_none = |at: Option<&SolidLimitPoint>| at.map_or_else(|| "none".to_owned(), turn);
-    let mut lines = vec![("peak force", or_none(solid_peak(peel))), ("first peak", or_none(peel.initiation_peak()))];
+    let mut lines = vec![("peak force", or_none(peel.peak())), ("first peak", or_none(peel.initiation_peak()))];
     lines.push(("first jump", or_none(peel.snap_off())));
     lines.extend(
         peel.points

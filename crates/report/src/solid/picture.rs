@@ -2,7 +2,6 @@
 //! traction of the ground below it.
 
 use super::fields::{place, shown};
-use super::summary::solid_peak;
 use crate::chart::axis::{Axis, significant};
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
@@ -47,7 +46,7 @@ fn curve(peel: &SolidPeel, title: &str) -> Picture {
         let text = format!("{} nN{error}", significant(at.force, 4));
         Mark::labelled((at.displacement, at.force), colour::INK, &[what, &text])
     };
-    panel.marks.extend(solid_peak(peel).map(|at| mark(at, "peak")));
+    panel.marks.extend(peel.peak().map(|at| mark(at, "peak")));
     panel.marks.extend(peel.snap_off().map(|at| mark(at, "first jump")));
     Picture::of(title, vec![panel])
 }

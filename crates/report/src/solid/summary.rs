@@ -23,7 +23,7 @@ impl Record for SolidFound<'_> {
     fn fields(of: &mut Fields<Self>) {
         of.field("end", "`detached`; `pivoting`: the force has come back to zero behind the first jump, still in contact; `turned-back`: the displacement has; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |found| solid_end_word(&found.peel.end));
         of.field("reason", "why, with numbers; null where the end says it", |found| solid_end_reason(&found.peel.end));
-        of.field("peak", "the load limit point with the largest force up to the first jump; null where there is none", |found| solid_peak(found.peel));
+        of.field("peak", "the load limit point with the largest force up to the first jump; null where there is none", |found| found.peel.peak());
         of.field("initiation_peak", "the first load limit point, else null", |found| found.peel.initiation_peak());
         of.field("first_jump", "the first displacement limit point, else null", |found| found.peel.snap_off());
         of.field("limit_points", "all limit points, in path order", |found| found.peel.limit_points.iter().map(Turn).collect::<Vec<_>>());
@@ -84,13 +84,6 @@ pub fn solid_end_reason(end: &SolidPathEnd) -> Option<String> {
         SolidPathEnd::Failed(error) => Some(error.to_string()),
         SolidPathEnd::Detached | SolidPathEnd::Pivoting | SolidPathEnd::TurnedBack => None,
     }
-}
-
-/// The load limit point with the largest force up to the first jump.
-pub fn solid_peak(peel: &SolidPeel) -> Option<&SolidLimitPoint> {
-    let last = peel.snap_off().map_or(usize::MAX, |jump| jump.after);
-    let maxima = peel.limit_points.iter().filter(|at| at.kind == peelkit::study::LimitPointKind::Load);
-    maxima.filter(|at| at.after <= last).max_by(|a, b| a.force.total_cmp(&b.force))
 }
 
 /// What is not to be trusted, a sentence each.

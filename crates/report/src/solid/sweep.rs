@@ -1,6 +1,6 @@
 //! A sweep of peels of solids: its rows, sweep.csv, the same as one object, and the picture.
 
-use super::summary::{solid_end_reason, solid_end_word, solid_peak};
+use super::summary::{solid_end_reason, solid_end_word};
 use crate::chart::style::colour;
 use crate::error::ReportError;
 use crate::pictures::swept_pulls::{Quantity, draw_swept_pulls};
@@ -53,7 +53,7 @@ pub struct SolidResult {
 impl From<&SolidPeel> for SolidResult {
     fn from(peel: &SolidPeel) -> Self {
         Self {
-            peak: solid_peak(peel).map(SolidTurn::from),
+            peak: peel.peak().map(SolidTurn::from),
             first_jump: peel.snap_off().map(SolidTurn::from),
             end: solid_end_word(&peel.end).to_owned(),
             reason: solid_end_reason(&peel.end),
