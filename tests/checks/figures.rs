@@ -1,6 +1,6 @@
 //! The figures of `figures/`, as `peel figures` has drawn them: each picture is whole, and its data and its caption stand beside it.
 //!
-//! `.ci/run` draws all of them anew.
+//! `.ci/run` draws a third of them anew in each run.
 
 use crate::pictures::check_pictures;
 use peelkit_checks::holds_figures;

@@ -5,7 +5,7 @@ use super::output::{OutArgs, list_files, progress_bar, say};
 use super::stop::Stop;
 use clap::Args;
 use peelkit_checks::{draw_figures, holds_figures};
-use peelkit_report::{Existing, OutputFolder};
+use peelkit_report::{Existing, OutputFolder, Part};
 use std::path::Path;
 
 /// Draws every figure again, with its data
@@ -14,11 +14,16 @@ use std::path::Path;
 pub struct Figures {
     #[command(flatten)]
     out: OutArgs,
+
+    /// Draws one part of N: 1/3; the figures are dealt out in turn
+    #[arg(long, value_name = "I/N", requires = "out")]
+    part: Option<Part>,
 }
 
 pub fn figures(args: &Figures) -> Result<(), Stop> {
     let folder = args.out.out.as_deref().unwrap_or(Path::new("figures"));
-    let folder = match holds_figures(folder) {
+    // a part of them is not what the folder of all of them is to hold
+    let folder = match args.part.is_none() && holds_figures(folder) {
         true => OutputFolder::claim(folder, Existing::Replace, None)?,
         false => args.out.claim(folder, None)?,
     };
@@ -27,7 +32,7 @@ pub fn figures(args: &Figures) -> Result<(), Stop> {
         bar.set_length(total as u64);
         bar.set_position(done as u64);
     };
-    let files = folder.write(|dir| draw_figures(dir, &progress));
+    let files = folder.write(|dir| draw_figures(dir, args.part, &progress));
     bar.finish_and_clear();
     say(&list_files(&files))?;
     files?;

@@ -279,6 +279,7 @@ peel figures has written before is overwritten; any other folder that is not emp
 Examples:
   peel figures
   peel figures --out mine
+  peel figures --out some --part 1/3
 
 {OUTPUTS}
 

@@ -8,7 +8,7 @@ use super::peeling::{
 };
 use super::runner::Runner;
 use super::solid;
-use peelkit_report::{ReportError, write_whole};
+use peelkit_report::{Part, ReportError, write_whole};
 use std::path::{Path, PathBuf};
 
 /// The captions.
@@ -21,47 +21,63 @@ pub fn holds_figures(dir: &Path) -> bool {
     std::fs::read(dir.join(README)).is_ok_and(|text| text.starts_with(HEADING.as_bytes()))
 }
 
-/// Regenerates every figure of `figures/` in `dir`, as SVG and PNG, with its data as CSV and its caption in `README.md`.
+/// Figures that are drawn together, as they share what is computed.
+struct Group {
+    /// How many peels they take at most.
+    peels: usize,
+    draw: fn(&Runner<'_>, &Path) -> Result<Vec<Figure>, ReportError>,
+}
+
+/// All of them, as they follow one another in the captions.
+const GROUPS: [Group; 16] = [
+    Group { peels: strip::PEELS, draw: strip::figures },
+    Group { peels: spatula::PEELS, draw: spatula::figures },
+    Group { peels: solid::PEELS, draw: |runner, dir| one(solid::figure(runner, dir)) },
+    Group { peels: rough::PEELS, draw: |runner, dir| one(rough::figure(runner, dir)) },
+    Group { peels: rough_spatula::PEELS, draw: |runner, dir| one(rough_spatula::figure(runner, dir)) },
+    Group { peels: pull::PEELS, draw: |runner, dir| one(pull::figure(runner, dir)) },
+    Group { peels: friction::PEELS, draw: |runner, dir| one(friction::figure(runner, dir)) },
+    Group { peels: laws::PEELS, draw: laws::figures },
+    Group { peels: out_of_plane::PEELS, draw: |runner, dir| one(out_of_plane::figure(runner, dir)) },
+    Group { peels: directions::PEELS, draw: |runner, dir| one(directions::figure(runner, dir)) },
+    Group { peels: spatula_directions::PEELS, draw: |runner, dir| one(spatula_directions::figure(runner, dir)) },
+    Group { peels: stiffness::PEELS + work::PEELS, draw: of_stiffness },
+    Group { peels: speed::PEELS, draw: speed::figures },
+    Group { peels: 0, draw: |_, dir| one(beam::figure(dir)) },
+    Group { peels: 0, draw: |_, dir| Ok(vec![levels::figure(dir)?, round_off::figure(dir)?]) },
+    Group { peels: 0, draw: |_, dir| verification::figures(dir) },
+];
+
+fn one(figure: Result<Figure, ReportError>) -> Result<Vec<Figure>, ReportError> {
+    figure.map(|figure| vec![figure])
+}
+
+/// The figures that show the same sweeps over the bending stiffness.
+fn of_stiffness(runner: &Runner<'_>, dir: &Path) -> Result<Vec<Figure>, ReportError> {
+    let sweeps = stiffness::Sweeps::compute(runner);
+    let mut figures = stiffness::figures(&sweeps, dir)?;
+    figures.push(points::figure(&sweeps, dir)?);
+    figures.push(work::figure(runner, &sweeps.full, dir)?);
+    Ok(figures)
+}
+
+/// Regenerates the figures of `figures/` in `dir`, those of one part alone where `part` says so, as SVG and PNG, with their data as CSV and their
+/// captions in `README.md`. The groups of figures are dealt out to the parts in turn.
 ///
 /// `progress` is called with the number of finished peels and their total, from any thread.
 ///
 /// Fails with the first picture that cannot be drawn or file that cannot be written.
-pub fn draw_figures(dir: &Path, progress: &(dyn Fn(usize, usize) + Sync)) -> Result<Vec<PathBuf>, ReportError> {
-    let total = strip::PEELS
-        + spatula::PEELS
-        + rough::PEELS
-        + rough_spatula::PEELS
-        + pull::PEELS
-        + friction::PEELS
-        + laws::PEELS
-        + out_of_plane::PEELS
-        + directions::PEELS
-        + spatula_directions::PEELS
-        + solid::PEELS
-        + stiffness::PEELS
-        + work::PEELS
-        + speed::PEELS;
-    let runner = Runner::new(total, progress);
-    let mut figures = strip::figures(&runner, dir)?;
-    figures.extend(spatula::figures(&runner, dir)?);
-    figures.push(solid::figure(&runner, dir)?);
-    figures.push(rough::figure(&runner, dir)?);
-    figures.push(rough_spatula::figure(&runner, dir)?);
-    figures.push(pull::figure(&runner, dir)?);
-    figures.push(friction::figure(&runner, dir)?);
-    figures.extend(laws::figures(&runner, dir)?);
-    figures.push(out_of_plane::figure(&runner, dir)?);
-    figures.push(directions::figure(&runner, dir)?);
-    figures.push(spatula_directions::figure(&runner, dir)?);
-    let stiffness = stiffness::Sweeps::compute(&runner);
-    figures.extend(stiffness::figures(&stiffness, dir)?);
-    figures.push(points::figure(&stiffness, dir)?);
-    figures.push(work::figure(&runner, &stiffness.full, dir)?);
-    figures.extend(speed::figures(&runner, dir)?);
-    figures.push(beam::figure(dir)?);
-    figures.push(levels::figure(dir)?);
-    figures.push(round_off::figure(dir)?);
-    figures.extend(verification::figures(dir)?);
+pub fn draw_figures(
+    dir: &Path,
+    part: Option<Part>,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<PathBuf>, ReportError> {
+    let groups = || GROUPS.iter().enumerate().filter(|(i, _)| part.is_none_or(|part| part.has(*i)));
+    let runner = Runner::new(groups().map(|(_, group)| group.peels).sum(), progress);
+    let mut figures = Vec::new();
+    for (_, group) in groups() {
+        figures.extend((group.draw)(&runner, dir)?);
+    }
     // Where the largest work needed no refinement fewer peels were run than planned.
     runner.finish();
     with_captions(figures, dir)

@@ -10,9 +10,6 @@ use peelkit::study::PointKind;
 use peelkit_report::Part;
 use std::path::PathBuf;
 
-/// Most parts of a sweep.
-const MOST: usize = 1_000_000;
-
 /// Varies a number of a scene, or two: peak force, plateau, snap-off and work against the values
 #[derive(Args)]
 #[command(after_long_help = help::sweep())]
@@ -38,7 +35,7 @@ pub struct Sweep {
     /// Computes one part of N: 3/8; peel collect joins the parts
     ///
     /// The values of the sweep are dealt out in turn: part I takes the values I, I + N, I + 2 N, ...
-    #[arg(long, value_name = "I/N", value_parser = parse_part)]
+    #[arg(long, value_name = "I/N")]
     pub part: Option<Part>,
 
     #[command(flatten)]
@@ -98,28 +95,5 @@ impl Sweep {
     /// Where files go, if they are written.
     pub fn folder(&self) -> Option<PathBuf> {
         self.out.folder(self.json, || self.default_folder(self.part))
-    }
-}
-
-/// Reads `I/N`.
-fn parse_part(text: &str) -> Result<Part, String> {
-    let wrong =
-        || format!("write I/N with I from 1 to N and N at most {MOST}, such as 3/8 for the third of eight parts");
-    let (index, of) = text.split_once('/').ok_or_else(wrong)?;
-    let number = |text: &str| text.trim().parse::<usize>().ok().filter(|&number| (1..=MOST).contains(&number));
-    let part = number(index).zip(number(of)).map(|(index, of)| Part { index, of });
-    part.filter(|part| part.index <= part.of).ok_or_else(wrong)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_part_is_one_of_so_many() {
-        assert_eq!(parse_part("3/8"), Ok(Part { index: 3, of: 8 }));
-        for wrong in ["0/8", "9/8", "3", "3/", "/8", "-1/8", "1/0", "a/b", "1.5/2", "1/2000000"] {
-            assert!(parse_part(wrong).is_err(), "{wrong}");
-        }
     }
 }

@@ -11,7 +11,11 @@ use peelkit::study::PeelResult;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::{fmt, fs, io};
+
+/// Most parts.
+const MOST: usize = 1_000_000;
 
 /// Which part of a divided sweep: `index`, counted from 1, of `of`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -37,6 +41,20 @@ impl Part {
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}/{}", self.index, self.of)
+    }
+}
+
+impl FromStr for Part {
+    type Err = String;
+
+    /// Reads `I/N`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong =
+            || format!("write I/N with I from 1 to N and N at most {MOST}, such as 3/8 for the third of eight parts");
+        let (index, of) = text.split_once('/').ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse::<usize>().ok().filter(|&number| (1..=MOST).contains(&number));
+        let part = number(index).zip(number(of)).map(|(index, of)| Self { index, of });
+        part.filter(|part| part.index <= part.of).ok_or_else(wrong)
     }
 }
 
@@ -201,5 +219,18 @@ impl PartialCollection {
     /// Fails with [`ReportError::Write`] where it cannot be removed.
     pub fn discard(dir: &Path) -> Result<(), ReportError> {
         remove(dir.join(Self::NAME))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_is_one_of_so_many() {
+        assert_eq!("3/8".parse(), Ok(Part { index: 3, of: 8 }));
+        for wrong in ["0/8", "9/8", "3", "3/", "/8", "-1/8", "1/0", "a/b", "1.5/2", "1/2000000"] {
+            assert!(wrong.parse::<Part>().is_err(), "{wrong}");
+        }
     }
 }
