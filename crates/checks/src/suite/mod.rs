@@ -12,6 +12,7 @@ mod levels;
 pub(crate) mod orders;
 mod published;
 pub mod reference;
+mod solid;
 mod space;
 mod spatula;
 mod strip;
@@ -33,6 +34,7 @@ pub const TOPICS: &[Topic] = &[
     space::TOPIC,
     grip_in_space::TOPIC,
     ground::TOPIC,
+    solid::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,
 ];
