@@ -1,10 +1,12 @@
 //! The pull-off of a seta with 256 tips that follow the curve of their spatula.
 //!
 //!     cargo run --release --example seta_pull_off [free | held] [table] [forks=n] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
-//!         [tip=r]: relative tolerance of the curve of the tips
+//!         [tip=r]: relative tolerance of the curve of the tips; [law]: the law of the seta from pulls at 15 to 105 degrees, and its errors
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula, TipLaw};
-use peelkit::study::coarsening::{CoarseningOptions, PadEnd, TableLaw, TipRange, coarsen};
+use peelkit::study::coarsening::{
+    CoarseningOptions, PadEnd, RootPath, SetaLaw, SetaSheet, TableLaw, TipRange, coarsen,
+};
 use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, converged_peak, pull_off, tip_curve};
 use std::error::Error;
 use std::sync::Arc;
@@ -56,6 +58,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         model.mesh = model.mesh.divided(by as usize);
     }
     let options = SetaOptions { balance: number("balance").unwrap_or(1e-8), ..SetaOptions::default() };
+    if is("law") {
+        return print_law(&model, &options);
+    }
     let direction = if is("lateral") {
         [1.0, 0.0, 0.0]
     } else if is("inclined") {
@@ -118,5 +123,34 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let most = pulled.events.iter().map(|event| event.tips.len()).max();
     println!("largest event: {most:?} tips");
+    Ok(())
+}
+
+fn print_law(model: &SetaModel, options: &SetaOptions) -> Result<(), Box<dyn Error>> {
+    let mut paths = Vec::new();
+    for degrees in [15, 30, 45, 60, 75, 90, 105] {
+        let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+        let loading = SetaLoading::pull([cos, sin, 0.0], 60_000.0);
+        let path = RootPath::resolved(model, &loading, options, &StopCriteria::default())?;
+        if let Some(last) = path.points.last() {
+            let [x, y] = last.force;
+            println!("{degrees:4} degrees: first loss at {:.3?} nm, force {x:.3} and {y:.3} nN", last.root);
+        }
+        paths.push(path);
+    }
+    for degree in 2..=4 {
+        let law = SetaLaw::fitted(&paths, degree)?;
+        let [along, normal] = law.exit.direction;
+        let [[a, b], [_, c]] = law.response(SetaSheet::Adhering, [0.0; 2]).stiffness;
+        let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
+        println!(
+            "degree {degree}: plane at {:.3} nm, {:.3} degrees; stiffness {:.4} and {:.4} N/m; {:?}",
+            law.exit.distance,
+            normal.atan2(along).to_degrees(),
+            mean - half,
+            mean + half,
+            law.errors
+        );
+    }
     Ok(())
 }

@@ -2,7 +2,7 @@
 //!
 //! Coarse-graining, Section 7 of the paper: [`coarsen`] follows the spatula with its end held over ranges of height u, place along the substrate v
 //! and rotation θ, and [`TipTable`] interpolates its energy, so that forces are its gradient. [`Coarsening`] solves the spatula itself where
-//! a table is not enough, and [`SpatulaTip`] puts it into space.
+//! a table is not enough, and [`SpatulaTip`] puts it into space. One level up, [`SetaLaw`] is the law of a whole seta.
 mod columns;
 mod held_spatula;
 mod near_end;
@@ -10,6 +10,7 @@ mod options;
 mod refine;
 mod run;
 mod seta_by_table;
+mod seta_law;
 mod sheet;
 mod spline;
 mod table;
@@ -23,6 +24,7 @@ pub use options::{
 pub use refine::{SheetErrors, TipScales};
 pub use run::{Coarsening, coarsen};
 pub use seta_by_table::{AfterRound, GrowingTable, OutsideAt, OutsideTable, TableEnd, TableRound, pull_off_by_table};
+pub use seta_law::{ExitPlane, RootPath, RootPoint, RootResponse, SetaLaw, SetaLawError, SetaLawErrors, SetaSheet};
 pub use sheet::{Sheet, SheetLimit, SheetNode, SheetTable};
 pub use table::TipTable;
 pub use tip_in_space::{OutOfPlane, SpatulaTip, TableLaw};

@@ -4,6 +4,7 @@ mod held;
 mod in_space;
 mod near_end;
 mod resolved;
+mod seta_law;
 mod sliding;
 mod strip;
 
