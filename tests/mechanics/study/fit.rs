@@ -15,8 +15,8 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
-    Accuracy, CurveBy, DisplacementError, Fit, FitDataError, FitOptions, FitParameter, FitProblem, FitWarning, Loss,
-    MeasuredCurve, MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt,
+    Accuracy, CurveBy, DisplacementError, Fit, FitDataError, FitEnd, FitOptions, FitParameter, FitProblem, FitWarning,
+    Loss, MeasuredCurve, MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt,
     StationQuantity, StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
@@ -373,6 +373,30 @@ fn a_fit_whose_only_parameter_ends_at_its_bound_has_no_interval() {
     let fit = fitted(&problem, noisy(&exact(TRUTH, 0.0), 2), &FitOptions::default()).unwrap();
     assert!(fit.parameters[0].at_bound.is_some() && fit.parameters[0].interval.is_none(), "{:?}", fit.parameters);
     assert!(fit.warnings().iter().any(|warning| matches!(warning, FitWarning::AtBound { .. })));
+}
+
+/// P = a U with a = 2 behind a = 1.5, from which on no curve can be computed: the search ends beside that, far from the points, and says so.
+/// Where the curve cannot be computed from a = 2.5 on, which a search from a = 1 meets on its way at most, it finds a = 2.
+#[test]
+fn a_fit_that_ends_beside_curves_that_cannot_be_computed_says_so() {
+    let ended = |last: f64| {
+        let of = move |values: &[f64], _: &StopCriteria| match values[0] {
+            a if a > last => Err("the plateau is lost".to_owned()),
+            a => Ok(PulledCurve::of((0..=9).map(|k| (f64::from(k), a * f64::from(k))))),
+        };
+        let (range, of_model) = (Range::Positive, ParameterOf::Model);
+        let a = FitParameter { key: "a".into(), initial: 1.0, range, from: None, to: None, of: of_model };
+        let problem =
+            FitProblem { parameters: vec![a], model: Box::new(|_| model(TRUTH)), curve: CurveBy::Values(Box::new(of)) };
+        let point = |u: f64| MeasuredPoint { displacement: u, force: 2.0 * u, force_error: Some(0.1 + 0.01 * u) };
+        fitted(&problem, (1..9).map(|k| point(f64::from(k))).collect(), &FitOptions::default()).unwrap()
+    };
+    let stalled = ended(1.5);
+    let FitEnd::Stopped(why) = &stalled.end else { panic!("{:?}", stalled.end) };
+    assert!(why.contains("with a = 1.5") && why.ends_with("the plateau is lost"), "{why}");
+    assert!(stalled.parameters[0].value > 1.45 && stalled.parameters[0].value <= 1.5, "{:?}", stalled.parameters[0]);
+    let found = ended(2.5);
+    assert!(found.converged() && (found.parameters[0].value / 2.0 - 1.0).abs() < 1e-6, "{:?}", found.end);
 }
 
 /// Something else than a peel: P = a (1 - exp(-U/b)) up to U = 3 b, where an event takes a tenth of it, and nothing adheres from U = 5 b on. From its points with

@@ -112,6 +112,14 @@ pub(super) struct Errors {
     pub displacement: f64,
 }
 
+impl Errors {
+    /// Half of the way, of the variances, to others.
+    pub fn between(self, other: Self) -> Self {
+        let half = |a: f64, b: f64| (0.5 * (a * a + b * b)).sqrt();
+        Self { force: half(self.force, other.force), displacement: half(self.displacement, other.displacement) }
+    }
+}
+
 /// The derivative of a number from its values with a coordinate changed by these steps: of both sides, of one, or zero where none is known.
 fn difference(here: f64, beside: impl Iterator<Item = (f64, f64)>) -> f64 {
     match beside.collect::<Vec<_>>()[..] {

@@ -5,18 +5,20 @@ use super::measured_curve::MeasuredCurve;
 use super::problem::{CurveBy, DisplacementError, FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
 use super::residuals::{Derivatives, Errors, Evaluator, Trial, Weights};
 use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PointPlace, Scale};
-use super::search::{Found, search};
-use super::statistics::{Covariance, Least, error_components, half_interval, is_estimated, neighbouring_errors, scale};
+use super::search::{Found, Least, search};
+use super::statistics::{Covariance, Variances, half_interval, is_estimated, neighbouring_errors, scale};
 use super::warnings::{POOR, combinations, pairs};
 use crate::study::asked::accuracy::Accuracy;
 use crate::study::asked::stop_criteria::StopCriteria;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 /// Most weightings.
 const MOST_WEIGHTINGS: usize = 25;
+/// After so many the errors go half of the way alone: parameters and errors may swing about where they agree.
+const SWINGING: usize = 4;
 /// Weights have settled where the coordinates change by less than this share of their standard errors.
 const SETTLED: f64 = 0.02;
 /// An estimated standard error is no smaller than this share of the largest force: what the path is computed to.
@@ -156,7 +158,9 @@ fn weighted_search(
         best = found.best.clone();
         let derivatives = evaluator.derivatives(&best)?;
         if components {
-            errors = error_components(evaluator, &best, &evaluator.jacobian(&derivatives, &weights), errors, least);
+            let jacobian = evaluator.jacobian(&derivatives, &weights);
+            let found = Variances::of_trial(evaluator, &best, &jacobian, &weights, least).errors(errors);
+            errors = if weightings > SWINGING { found.between(errors) } else { found };
         } else if estimates {
             let residuals: Vec<f64> =
                 best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
@@ -185,6 +189,33 @@ fn weighted_search(
     }
 }
 
+/// How many standard errors half an interval of each parameter has.
+fn halves(
+    evaluator: &Evaluator,
+    best: &Trial,
+    jacobian: &DMatrix<f64>,
+    weights: &Weights,
+    covariance: &Covariance,
+    estimated: [Option<f64>; 2],
+    freedom: usize,
+) -> Vec<f64> {
+    let count = evaluator.coordinates.len();
+    let [force, displacement] = estimated;
+    if force.is_none() && displacement.is_none() {
+        return vec![half_interval(None); count];
+    }
+    let mut halves = vec![half_interval(Some(freedom as f64)); count];
+    if evaluator.options.loss == Loss::Squares {
+        let errors = Errors { force: force.unwrap_or(0.0), displacement: displacement.unwrap_or(0.0) };
+        let least = LEAST_ERROR * evaluator.measured.largest_force();
+        let freedoms = Variances::of_trial(evaluator, best, jacobian, weights, least).freedoms(errors, covariance);
+        for (&k, freedom) in covariance.of.iter().zip(freedoms) {
+            halves[k] = half_interval(Some(freedom));
+        }
+    }
+    halves
+}
+
 /// The result with its statistics.
 fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usize) -> Result<Fit, NoFit> {
     let Reached { found, weights, estimated, estimated_displacement, weightings } = reached;
@@ -201,11 +232,11 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
-    let half = half_interval(estimated.is_some() || estimated_displacement.is_some(), freedom);
+    let halves = halves(evaluator, &best, &jacobian, &plain, &covariance, [estimated, estimated_displacement], freedom);
     let values = evaluator.values(&best.x);
     let parameter = |k: usize| {
         let (own, coordinate) = (&evaluator.problem.parameters[k], &evaluator.coordinates[k]);
-        let (x, (low, high)) = (best.x[k], coordinate.bounds());
+        let (x, (low, high), half) = (best.x[k], coordinate.bounds(), halves[k]);
         let error = covariance.standard_error(k);
         let interval =
             error.map(|error| [-half, half].map(|half| coordinate.value((x + half * error).clamp(low, high))));
@@ -228,22 +259,16 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     // at a bound the sum of squares has no minimum: intervals of the others would be those beside a value that is most likely wrong
     let is_minimum = parameters.iter().all(|parameter| parameter.at_bound.is_none());
     if end == FitEnd::Converged {
-        let least = Least {
-            evaluator,
-            weights: &weights,
-            best: &best,
-            sum: found.sum,
-            covariance: &covariance,
-            level: factor * half * half,
-        };
+        let least =
+            Least { evaluator, weights: &weights, best: &best, sum: found.sum, covariance: &covariance, factor };
         let wanted = |k: &usize| match options.profile {
             ProfileChoice::All => true,
             ProfileChoice::Poor => is_minimum && poor[*k],
             ProfileChoice::None => false,
         };
         let asked: Vec<(usize, f64)> =
-            (0..count).filter(wanted).filter_map(|k| Some((k, half * covariance.standard_error(k)?))).collect();
-        let profiles: Vec<_> = asked.par_iter().map(|&(k, half)| (k, least.profile(k, half))).collect();
+            (0..count).filter(wanted).filter_map(|k| Some((k, covariance.standard_error(k)?))).collect();
+        let profiles: Vec<_> = asked.par_iter().map(|&(k, error)| (k, least.profile(k, error, halves[k]))).collect();
         profiles.into_iter().for_each(|(k, profile)| parameters[k].profile = Some(profile));
     }
     let row = |one: usize| (0..count).map(|other| covariance.correlation(one, other)).collect();

@@ -1,7 +1,8 @@
-//! The least squares of some coordinates, the others held, by Levenberg and Marquardt's method.
+//! The least squares of some coordinates, the others held, by Levenberg and Marquardt's method; and profiles, which hold one at values around it.
 
 use super::residuals::{Derivatives, Evaluator, Trial, Weights};
-use super::result::NoFit;
+use super::result::{NoFit, Profile};
+use super::statistics::Covariance;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -17,6 +18,9 @@ const SUM_TOLERANCE: f64 = 1e-9;
 const STEP_TOLERANCE: f64 = 1e-8;
 /// Most residuals evaluated, over the number of coordinates and one.
 const PATIENCE: usize = 40;
+/// Where paths beside its end could not be computed, a search is at a minimum if a step by the derivatives would reduce the sum of squares by less than
+/// this share.
+const LEFT: f64 = 1e-3;
 /// Added to the coordinates z, which lie between -π/2 and π/2, for the method: it takes its first step, and the steps that it ends at, over the
 /// size of its coordinates, which may not vanish.
 const SHIFT: f64 = 2.0;
@@ -55,6 +59,7 @@ pub(super) fn search(evaluator: &Evaluator, weights: &Weights, start: &Arc<Trial
         bad,
         data: residuals.len(),
         trouble: RefCell::new(None),
+        refused: None,
     };
     let method = LevenbergMarquardt::new()
         .with_ftol(SUM_TOLERANCE)
@@ -66,7 +71,7 @@ pub(super) fn search(evaluator: &Evaluator, weights: &Weights, start: &Arc<Trial
     use levenberg_marquardt::TerminationReason as Reason;
     let trouble = match report.termination {
         Reason::ResidualsZero | Reason::Orthogonal | Reason::Converged { .. } | Reason::NoImprovementPossible(_) => {
-            None
+            problem.stalled()
         }
         Reason::LostPatience => Some(format!("it has not converged in {} evaluations", report.number_of_evaluations)),
         _ if evaluator.interrupted.load(Ordering::Relaxed) => Some("it was interrupted".to_owned()),
@@ -93,6 +98,34 @@ struct Search<'a> {
     bad: f64,
     data: usize,
     trouble: RefCell<Option<NoFit>>,
+    /// Why the path of the last trial was not computed that had none, and at which values
+    refused: Option<(Vec<f64>, NoFit)>,
+}
+
+impl Search<'_> {
+    /// Why the end of the search is no minimum: it has shrunk its steps beside trials whose paths could not be computed.
+    fn stalled(&self) -> Option<String> {
+        let (values, why) = self.refused.as_ref()?;
+        let (best, sum) = &self.best;
+        let derivatives = self.evaluator.derivatives(best).ok()?;
+        let is_inside = |k: &usize| self.evaluator.coordinates[*k].at_bound(best.x[*k]).is_none();
+        let inside: Vec<usize> = self.free.iter().copied().filter(is_inside).collect();
+        if inside.is_empty() {
+            return None;
+        }
+        let jacobian = self.evaluator.jacobian(&derivatives, self.weights).select_columns(&inside);
+        let residuals = self.evaluator.residuals(best, self.weights);
+        let reduced = jacobian.svd(true, false).u.map_or(0.0, |u| u.tr_mul(&residuals).norm_squared());
+        let list = self.evaluator.problem.parameters.iter().zip(values);
+        let list: Vec<String> = list.map(|(parameter, value)| format!("{} = {value:.6}", parameter.key)).collect();
+        (reduced > LEFT * sum).then(|| {
+            let (share, list) = (100.0 * reduced / sum, list.join(", "));
+            let why = if let NoFit::NoStart(why) = why { why.clone() } else { why.to_string() };
+            format!(
+                "where it ends a step would still reduce the sum of squares by {share:.1} %, but the curve was not computed there: with {list}, {why}"
+            )
+        })
+    }
 }
 
 /// Trials that are remembered.
@@ -113,7 +146,13 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
             self.now = Some(known.clone());
             return;
         }
-        self.now = self.evaluator.trial(&x).ok().map(Arc::new);
+        self.now = match self.evaluator.trial(&x) {
+            Ok(trial) => Some(Arc::new(trial)),
+            Err(why) => {
+                self.refused = Some((self.evaluator.values(&x), why));
+                None
+            }
+        };
         let Some(now) = &self.now else { return };
         if self.known.len() == REMEMBERED {
             self.known.remove(0);
@@ -151,5 +190,98 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
             free.column_mut(column).scale_mut(self.evaluator.coordinates[k].inner_rate(z - SHIFT));
         }
         Some(free)
+    }
+}
+
+// -- The least sum of squares with one parameter held: what a standard error says is right only where that is a parabola --
+
+/// Step over the half interval of the standard error.
+const STEP: f64 = 0.5;
+/// Longest step over the way between the bounds: a parameter that is hardly determined has a standard error beyond all bounds.
+const LONGEST: f64 = 0.02;
+/// Most steps to a side.
+const MOST: usize = 24;
+/// A step grows by this where the sum has hardly risen.
+const GROWTH: f64 = 1.5;
+
+/// What a profile begins from.
+pub(super) struct Least<'a> {
+    pub evaluator: &'a Evaluator<'a>,
+    pub weights: &'a Weights,
+    pub best: &'a Arc<Trial>,
+    pub sum: f64,
+    /// Along which the others go with the one that is held
+    pub covariance: &'a Covariance,
+    /// What the loss adds to the variances
+    pub factor: f64,
+}
+
+impl Least<'_> {
+    /// Of the coordinate `index` with a standard error, of which half an interval has so many.
+    pub fn profile(&self, index: usize, error: f64, half: f64) -> Profile {
+        // the excess of the sum that ends the interval
+        let level = self.factor * half * half;
+        let side = |half: f64| self.side(index, half, level);
+        let (low, high) = rayon::join(|| side(-half * error), || side(half * error));
+        let coordinate = &self.evaluator.coordinates[index];
+        let at_least = (self.best.x[index], 0.0);
+        let all = low.0.iter().rev().chain([&at_least]).chain(&high.0);
+        let value = |x: f64| coordinate.value(x);
+        Profile {
+            points: all.map(|&(x, excess)| (value(x), excess)).collect(),
+            interval: [low.1.map(value), high.1.map(value)],
+            level,
+        }
+    }
+
+    /// (x, excess) to one side, and where the excess reaches the level.
+    fn side(&self, index: usize, half: f64, level: f64) -> (Vec<(f64, f64)>, Option<f64>) {
+        let (low, high) = self.evaluator.coordinates[index].bounds();
+        let others: Vec<usize> = (0..self.evaluator.coordinates.len()).filter(|&other| other != index).collect();
+        let mut points: Vec<(f64, f64)> = Vec::new();
+        let longest = LONGEST * (high - low);
+        let (mut before, mut step) = (self.best.clone(), (STEP * half).clamp(-longest, longest));
+        for _ in 0..MOST {
+            let from = before.x[index];
+            let to = (from + step).clamp(low, high);
+            if to == from {
+                break;
+            }
+            let mut x = before.x.clone();
+            for other in 0..x.len() {
+                let (low, high) = self.evaluator.coordinates[other].bounds();
+                x[other] = (x[other] + self.covariance.follows(other, index) * (to - from)).clamp(low, high);
+            }
+            x[index] = to;
+            let Ok(start) = self.evaluator.trial(&x) else { break };
+            let found = search(self.evaluator, self.weights, &Arc::new(start), &others);
+            let last = points.last().copied().unwrap_or((self.best.x[index], 0.0));
+            let excess = (found.sum - self.sum).max(0.0);
+            points.push((to, excess));
+            if excess >= level {
+                return (points, Some(crossing(last, (to, excess), level)));
+            }
+            if excess - last.1 < 0.1 * level {
+                step *= GROWTH;
+            }
+            before = found.best;
+        }
+        (points, None)
+    }
+}
+
+/// Where the root of the excess, which is a straight line if the sum is a parabola, reaches that of the level.
+fn crossing(from: (f64, f64), to: (f64, f64), level: f64) -> f64 {
+    let root = |excess: f64| excess.max(0.0).sqrt();
+    let share = (root(level) - root(from.1)) / (root(to.1) - root(from.1));
+    from.0 + share * (to.0 - from.0)
+}
+
+#[cfg(test)]
+mod profile_tests {
+    #[test]
+    fn a_parabola_is_crossed_where_it_is() {
+        let x = crate::study::parameters::fit::search::crossing((1.0, 1.0), (3.0, 9.0), 4.0);
+        assert!((x - 2.0).abs() < 1e-15);
     }
 }

@@ -1,16 +1,15 @@
 //! Standard errors, intervals and correlations of the parameters that were found.
 
-use super::measured_curve::{MeasuredPoint, second_difference};
+use super::measured_curve::{median, second_difference};
 use super::problem::{DisplacementError, FitOptions};
 use super::residuals::{Errors, Evaluator, Trial, Weights};
-use super::result::Profile;
-use super::search::search;
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
-use std::sync::Arc;
 
 /// Of the intervals.
 const CONFIDENCE: f64 = 0.95;
+/// To which the half of one is computed, in standard errors.
+const HALF_TO: f64 = 1e-9;
 /// A direction is taken to be determined by the data if its singular value is this share of the largest.
 const RANK: f64 = 1e-9;
 
@@ -83,14 +82,19 @@ impl Covariance {
     }
 }
 
-/// How many standard errors half an interval has: of the normal distribution where the errors of the forces are known, of Student's where
-/// they were estimated with so many degrees of freedom.
-pub(super) fn half_interval(estimated: bool, freedom: usize) -> f64 {
+/// How many standard errors half an interval has: of the normal distribution where errors are known, of Student's where they were estimated with
+/// so many degrees of freedom.
+pub(super) fn half_interval(freedom: Option<f64>) -> f64 {
     let share = 0.5 + 0.5 * CONFIDENCE;
-    match StudentsT::new(0.0, 1.0, freedom.max(1) as f64) {
-        Ok(student) if estimated => student.inverse_cdf(share),
-        _ => Normal::standard().inverse_cdf(share),
+    let normal = Normal::standard().inverse_cdf(share);
+    let Some(Ok(student)) = freedom.map(|freedom| StudentsT::new(0.0, 1.0, freedom.max(1.0))) else { return normal };
+    // the inverse of statrs 0.19 does not end for some degrees of freedom that are no whole number; with one there are 12.7
+    let (mut low, mut high) = (normal, 13.0);
+    while high - low > HALF_TO {
+        let middle = 0.5 * (low + high);
+        if student.cdf(middle) < share { low = middle } else { high = middle }
     }
+    0.5 * (low + high)
 }
 
 /// Whether the standard errors of the forces are estimated from the residuals.
@@ -107,8 +111,7 @@ pub(super) fn scale(residuals: &[f64], weights: &Weights, parameters: usize, rob
     let free = residuals.len().saturating_sub(parameters).max(1) as f64;
     let found = if robust {
         let mut amounts: Vec<f64> = residuals.iter().map(|residual| residual.abs()).collect();
-        crate::study::parameters::fit::measured_curve::median(&mut amounts) / MEDIAN
-            * (residuals.len() as f64 / free).sqrt()
+        median(&mut amounts) / MEDIAN * (residuals.len() as f64 / free).sqrt()
     } else {
         (residuals.iter().map(|residual| residual * residual).sum::<f64>() / free).sqrt()
     };
@@ -122,108 +125,185 @@ const SAME: f64 = 1e-6;
 /// A residual whose point determines the parameters by itself is no smaller than so much of its variance says.
 const LEAST_FREE: f64 = 0.05;
 
-/// The standard errors of a force and of a displacement that the residuals of a trial show.
+/// Residuals rᵢ of a fit with derivatives J, and what their variances vᵢ = kᵢ + aᵢ s² + bᵢ sᵤ² are made of.
 ///
-/// Point i has the variance vᵢ = s² + (P'ᵢ sᵤ)², its residual (1 - hᵢ) vᵢ with its leverage h. Both are those of the largest likelihood of normal
-/// errors, by Fisher's scoring: squares of the residuals over 1 - h are fitted by 1 and P'², weighted by v⁻², until v has settled (Searle, Casella and
-/// McCulloch, Variance Components, 1992, section 6.6). `jacobian` is that of the weighted residuals; `before` is where the rounds begin. Where the
-/// standard error of a force is known, that of a displacement alone is estimated.
-pub(super) fn error_components(
-    evaluator: &Evaluator,
-    trial: &Trial,
-    jacobian: &DMatrix<f64>,
-    before: Errors,
+/// A residual has the variance (1 - hᵢ) vᵢ with its leverage h, the diagonal of J C Jᵀ V⁻¹, C = (Jᵀ V⁻¹ J)⁻¹. s² and sᵤ² are those of the largest
+/// likelihood of normal errors, by Fisher's scoring: rᵢ²/(1 - hᵢ) - kᵢ is fitted by aᵢ and bᵢ, weighted by v⁻², until v has settled (Searle, Casella and
+/// McCulloch, Variance Components, 1992, section 6.6).
+pub(super) struct Variances {
+    /// J, one row a datum, without weights
+    jacobian: DMatrix<f64>,
+    /// rᵢ²/(1 - hᵢ), nN²
+    squares: Vec<f64>,
+    /// kᵢ, nN²
+    known: Vec<f64>,
+    /// aᵢ, and bᵢ: 1 and P'² where s and sᵤ are not known, else 0
+    of: [Vec<f64>; 2],
+    /// No variance is smaller, nN²
     least: f64,
-) -> Errors {
-    let leverages = leverages(jacobian);
-    let measured = &evaluator.measured.points;
-    let square = |row: usize| {
-        let residual = trial.modelled[row].force - measured[row].force;
-        residual * residual / (1.0 - leverages[row]).max(LEAST_FREE)
-    };
-    let known = |row: usize| measured[row].force_error.or(evaluator.options.force_error);
-    let rows: Vec<Row> = (0..measured.len())
-        .map(|row| Row {
-            square: square(row),
-            slope: trial.modelled[row].slope.powi(2),
-            known: known(row).map(|error| error * error),
-        })
-        .collect();
-    let given = match evaluator.options.displacement_error {
-        DisplacementError::Estimated => None,
-        DisplacementError::None => Some(0.0),
-        DisplacementError::Known(error) => Some(error * error),
-    };
-    let [force, displacement] = variances(&rows, given, least * least);
-    let force = if rows.iter().all(|row| row.known.is_some()) { before.force } else { force.sqrt() };
-    Errors { force, displacement: displacement.sqrt() }
 }
 
-/// The standard errors of a force and of a displacement by how neighbouring points differ: what lies between two others is off the line through these
-/// by the more, the steeper they rise. A search that begins without an error of the displacements may end where steep points alone are met.
-pub(super) fn neighbouring_errors(evaluator: &Evaluator, least: f64) -> Errors {
-    let measured = &evaluator.measured;
-    let known = evaluator.options.force_error;
-    let row = |three: &[MeasuredPoint]| {
-        let (off, slope) = second_difference(three);
-        let known = three[1].force_error.or(known).map(|error| error * error);
-        Row { square: off * off, slope: slope * slope, known }
-    };
-    let rows: Vec<Row> = measured.points.windows(3).map(row).collect();
-    let [_, displacement] = variances(&rows, None, least * least);
-    Errors { force: measured.noise().max(least), displacement: displacement.sqrt() }
-}
+impl Variances {
+    /// Of a trial, whose derivatives `jacobian` are over the standard errors of `weights`.
+    pub fn of_trial(
+        evaluator: &Evaluator,
+        trial: &Trial,
+        jacobian: &DMatrix<f64>,
+        weights: &Weights,
+        least: f64,
+    ) -> Self {
+        let measured = &evaluator.measured.points;
+        let leverages = leverages(jacobian);
+        let mut jacobian = jacobian.clone();
+        weights.errors.iter().enumerate().for_each(|(row, &error)| jacobian.row_mut(row).scale_mut(error));
+        let mut all = Self::new(jacobian, least);
+        let given = match evaluator.options.displacement_error {
+            DisplacementError::Estimated => None,
+            DisplacementError::None => Some(0.0),
+            DisplacementError::Known(error) => Some(error * error),
+        };
+        for ((own, modelled), leverage) in measured.iter().zip(&trial.modelled).zip(leverages) {
+            let force = own.force_error.or(evaluator.options.force_error);
+            let square = (modelled.force - own.force).powi(2) / (1.0 - leverage).max(LEAST_FREE);
+            all.push(square, modelled.slope.powi(2), force, given);
+        }
+        // the jump and the force behind it: their derivatives are over their errors
+        for _ in measured.len()..all.jacobian.nrows() {
+            all.push(0.0, 0.0, Some(1.0), Some(0.0));
+        }
+        all
+    }
 
-/// A squared residual over what is left of its variance, nN².
-struct Row {
-    square: f64,
-    /// P'², (nN/nm)²
-    slope: f64,
-    /// Variance of its force where that is known, nN²
-    known: Option<f64>,
-}
+    /// By how neighbouring points differ: what lies between two others is off the line through these by the more, the steeper they rise.
+    fn of_neighbours(evaluator: &Evaluator, least: f64) -> Self {
+        let points = &evaluator.measured.points;
+        let mut all = Self::new(DMatrix::zeros(points.len().saturating_sub(2), 0), least);
+        for three in points.windows(3) {
+            let (off, slope) = second_difference(three);
+            let force = three[1].force_error.or(evaluator.options.force_error);
+            all.push(off * off, slope * slope, force, None);
+        }
+        all
+    }
 
-/// s² (nN²), no less than `least`, and sᵤ² (nm²), where it is not `given`.
-fn variances(rows: &[Row], given: Option<f64>, least: f64) -> [f64; 2] {
-    let count = rows.len().max(1) as f64;
-    let unknown = |row: &Row| f64::from(u8::from(row.known.is_none()));
-    let mut found = [(rows.iter().map(|row| row.square).sum::<f64>() / count).max(least), given.unwrap_or(0.0)];
-    for _ in 0..ROUNDS {
-        let (mut matrix, mut right) = ([[0.0; 2]; 2], [0.0; 2]);
-        for row in rows {
-            let base = row.known.unwrap_or(found[0]).max(least);
-            let weight = (base + row.slope * found[1]).powi(-2);
-            let by = [unknown(row), row.slope];
-            let square = row.square - row.known.unwrap_or(0.0) - row.slope * given.unwrap_or(0.0);
-            for i in 0..2 {
-                right[i] += weight * by[i] * square;
-                (0..2).for_each(|j| matrix[i][j] += weight * by[i] * by[j]);
+    fn new(jacobian: DMatrix<f64>, least: f64) -> Self {
+        Self { jacobian, squares: Vec::new(), known: Vec::new(), of: [Vec::new(), Vec::new()], least: least * least }
+    }
+
+    /// A squared residual (nN²), a squared slope ((nN/nm)²), and what is known: a standard error of its force, a variance of its displacement.
+    fn push(&mut self, square: f64, slope: f64, force: Option<f64>, displacement: Option<f64>) {
+        self.squares.push(square);
+        self.known.push(force.map_or(0.0, |error| error * error) + displacement.map_or(0.0, |known| known * slope));
+        self.of[0].push(f64::from(u8::from(force.is_none())));
+        self.of[1].push(if displacement.is_none() { slope } else { 0.0 });
+    }
+
+    fn is_unknown(&self, k: usize) -> bool {
+        self.of[k].iter().any(|&share| share > 0.0)
+    }
+
+    /// vᵢ
+    fn at(&self, found: [f64; 2]) -> Vec<f64> {
+        let of = |row: usize| self.known[row] + self.of[0][row] * found[0] + self.of[1][row] * found[1];
+        (0..self.squares.len()).map(|row| of(row).max(self.least)).collect()
+    }
+
+    /// J over the square roots of vᵢ.
+    fn weighted(&self, variances: &[f64]) -> DMatrix<f64> {
+        let mut weighted = self.jacobian.clone();
+        variances.iter().enumerate().for_each(|(row, v)| weighted.row_mut(row).scale_mut(v.sqrt().recip()));
+        weighted
+    }
+
+    /// tr(P Aₘ P Aₙ) of two diagonals with P = V⁻¹ - V⁻¹ J C Jᵀ V⁻¹, by the rows of J over the square roots of v, and C; the third diagonal is k.
+    fn information(&self, variances: &[f64], weighted: &DMatrix<f64>, covariance: &DMatrix<f64>) -> [[f64; 3]; 2] {
+        let sides = weighted * covariance;
+        let diagonals = [&self.of[0], &self.of[1], &self.known];
+        // Σᵢ aᵢ/vᵢ jᵢ jᵢᵀ C
+        let through = diagonals.map(|diagonal| {
+            let mut scaled = weighted.clone();
+            (0..scaled.nrows()).for_each(|row| scaled.row_mut(row).scale_mut(diagonal[row] / variances[row]));
+            scaled.transpose() * &sides
+        });
+        let leverage = |row: usize| weighted.row(row).dot(&sides.row(row));
+        let left: Vec<f64> =
+            (0..variances.len()).map(|row| (1.0 - 2.0 * leverage(row)) / variances[row].powi(2)).collect();
+        let pair = |m: usize, n: usize| {
+            let own: f64 = (0..left.len()).map(|row| left[row] * diagonals[m][row] * diagonals[n][row]).sum();
+            own + (&through[m] * &through[n]).trace()
+        };
+        [0, 1].map(|m| [0, 1, 2].map(|n| pair(m, n)))
+    }
+
+    /// s² (nN²) and sᵤ² (nm²); 0 of what is known.
+    fn found(&self) -> [f64; 2] {
+        let unknown = [0, 1].map(|k| self.is_unknown(k));
+        let mean = self.squares.iter().sum::<f64>() / self.squares.len().max(1) as f64;
+        let mut found = [if unknown[0] { mean.max(self.least) } else { 0.0 }, 0.0];
+        for _ in 0..ROUNDS {
+            let variances = self.at(found);
+            let none = DMatrix::zeros(variances.len(), 0);
+            let matrix = self.information(&variances, &none, &DMatrix::zeros(0, 0));
+            let right = [0, 1].map(|m| {
+                let of = |row: usize| self.of[m][row] * self.squares[row] / variances[row].powi(2);
+                (0..variances.len()).map(of).sum::<f64>() - matrix[m][2]
+            });
+            let alone = |k: usize| if matrix[k][k] > 0.0 { (right[k] / matrix[k][k]).max(0.0) } else { 0.0 };
+            let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
+            let both = [
+                (right[0] * matrix[1][1] - right[1] * matrix[0][1]) / determinant,
+                (right[1] * matrix[0][0] - right[0] * matrix[1][0]) / determinant,
+            ];
+            let next = match unknown {
+                [false, _] => [0.0, alone(1)],
+                [true, false] => [alone(0).max(self.least), 0.0],
+                _ if determinant <= RANK * matrix[0][0] * matrix[1][1] || both[1] <= 0.0 => {
+                    [alone(0).max(self.least), 0.0]
+                }
+                _ if both[0] <= self.least => [self.least, alone(1)],
+                _ => both,
+            };
+            let settled = (0..2).all(|k| (next[k] - found[k]).abs() <= SAME * next[k]);
+            found = next;
+            if settled {
+                break;
             }
         }
-        let alone = |k: usize| if matrix[k][k] > 0.0 { (right[k] / matrix[k][k]).max(0.0) } else { 0.0 };
-        let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
-        let both = [
-            (right[0] * matrix[1][1] - right[1] * matrix[0][1]) / determinant,
-            (right[1] * matrix[0][0] - right[0] * matrix[1][0]) / determinant,
-        ];
-        let next = if let Some(given) = given {
-            [alone(0).max(least), given]
-        } else if rows.iter().all(|row| row.known.is_some()) {
-            [found[0], alone(1)]
-        } else if determinant <= RANK * matrix[0][0] * matrix[1][1] || both[1] <= 0.0 {
-            [alone(0).max(least), 0.0]
-        } else if both[0] <= least {
-            [least, alone(1)]
-        } else {
-            both
-        };
-        let settled = (0..2).all(|k| (next[k] - found[k]).abs() <= SAME * next[k]);
-        found = next;
-        if settled {
-            break;
-        }
+        found
     }
-    found
+
+    /// Standard errors of a force and of a displacement that these residuals show, or that were known before.
+    pub fn errors(&self, before: Errors) -> Errors {
+        let found = self.found();
+        let error = |k: usize, before: f64| if self.is_unknown(k) { found[k].sqrt() } else { before };
+        Errors { force: error(0, before.force), displacement: error(1, before.displacement) }
+    }
+
+    /// With how many degrees of freedom the errors give the variance Cₖₖ of each coordinate of a covariance: νₖ = 2 Cₖₖ²/(gᵀ W g), with
+    /// gₘ = ∂Cₖₖ/∂θₘ and the covariance W = 2 [tr(P Aₘ P Aₙ)]⁻¹ of s² and sᵤ² (Satterthwaite 1946; Giesbrecht and Burns 1985). Infinite where no error
+    /// is estimated; n - p where that of all forces is, and nothing else.
+    pub fn freedoms(&self, errors: Errors, covariance: &Covariance) -> Vec<f64> {
+        let variances = self.at([errors.force.powi(2), errors.displacement.powi(2)]);
+        let weighted = self.weighted(&variances).select_columns(covariance.of.iter());
+        let matrix = &covariance.matrix;
+        let information = self.information(&variances, &weighted, matrix);
+        let unknown: Vec<usize> = (0..2).filter(|&k| self.is_unknown(k)).collect();
+        let of = |m: usize, n: usize| information[unknown[m]][unknown[n]];
+        // over the roots of the diagonal: the units differ
+        let root = |m: usize| of(m, m).sqrt();
+        let scaled = DMatrix::from_fn(unknown.len(), unknown.len(), |m, n| of(m, n) / (root(m) * root(n)));
+        let spread = scaled.pseudo_inverse(RANK).unwrap_or_else(|_| DMatrix::zeros(unknown.len(), unknown.len()));
+        let sides = &weighted * matrix;
+        let freedom = |k: usize| {
+            let slope = |m: usize| {
+                let diagonal = &self.of[unknown[m]];
+                (0..variances.len()).map(|row| sides[(row, k)].powi(2) * diagonal[row] / variances[row]).sum::<f64>()
+            };
+            let slopes = DVector::from_fn(unknown.len(), |m, _| slope(m) / root(m));
+            matrix[(k, k)].powi(2) / (slopes.transpose() * &spread * &slopes)[(0, 0)]
+        };
+        (0..covariance.of.len()).map(freedom).collect()
+    }
 }
 
 /// hᵢ, the diagonal of J (JᵀJ)⁻¹ Jᵀ.
@@ -236,94 +316,12 @@ fn leverages(jacobian: &DMatrix<f64>) -> Vec<f64> {
     (0..jacobian.nrows()).map(of).collect()
 }
 
-// -- The least sum of squares with one parameter held: what a standard error says is right only where that is a parabola --
-
-/// Step over the half interval of the standard error.
-const STEP: f64 = 0.5;
-/// Longest step over the way between the bounds: a parameter that is hardly determined has a standard error beyond all bounds.
-const LONGEST: f64 = 0.02;
-/// Most steps to a side.
-const MOST: usize = 24;
-/// A step grows by this where the sum has hardly risen.
-const GROWTH: f64 = 1.5;
-
-/// What a profile begins from.
-pub(super) struct Least<'a> {
-    pub evaluator: &'a Evaluator<'a>,
-    pub weights: &'a Weights,
-    pub best: &'a Arc<Trial>,
-    pub sum: f64,
-    /// Along which the others go with the one that is held
-    pub covariance: &'a Covariance,
-    /// Excess of the sum that ends the interval: the square of the half interval in standard errors
-    pub level: f64,
-}
-
-impl Least<'_> {
-    /// Of the coordinate `index` whose half interval by its standard error is `half`.
-    pub fn profile(&self, index: usize, half: f64) -> Profile {
-        let (low, high) = rayon::join(|| self.side(index, -half), || self.side(index, half));
-        let coordinate = &self.evaluator.coordinates[index];
-        let at_least = (self.best.x[index], 0.0);
-        let all = low.0.iter().rev().chain([&at_least]).chain(&high.0);
-        let value = |x: f64| coordinate.value(x);
-        Profile {
-            points: all.map(|&(x, excess)| (value(x), excess)).collect(),
-            interval: [low.1.map(value), high.1.map(value)],
-            level: self.level,
-        }
-    }
-
-    /// (x, excess) to one side, and where the excess reaches the level.
-    fn side(&self, index: usize, half: f64) -> (Vec<(f64, f64)>, Option<f64>) {
-        let (low, high) = self.evaluator.coordinates[index].bounds();
-        let others: Vec<usize> = (0..self.evaluator.coordinates.len()).filter(|&other| other != index).collect();
-        let mut points: Vec<(f64, f64)> = Vec::new();
-        let longest = LONGEST * (high - low);
-        let (mut before, mut step) = (self.best.clone(), (STEP * half).clamp(-longest, longest));
-        for _ in 0..MOST {
-            let from = before.x[index];
-            let to = (from + step).clamp(low, high);
-            if to == from {
-                break;
-            }
-            let mut x = before.x.clone();
-            for other in 0..x.len() {
-                let (low, high) = self.evaluator.coordinates[other].bounds();
-                x[other] = (x[other] + self.covariance.follows(other, index) * (to - from)).clamp(low, high);
-            }
-            x[index] = to;
-            let Ok(start) = self.evaluator.trial(&x) else { break };
-            let found = search(self.evaluator, self.weights, &Arc::new(start), &others);
-            let last = points.last().copied().unwrap_or((self.best.x[index], 0.0));
-            let excess = (found.sum - self.sum).max(0.0);
-            points.push((to, excess));
-            if excess >= self.level {
-                return (points, Some(crossing(last, (to, excess), self.level)));
-            }
-            if excess - last.1 < 0.1 * self.level {
-                step *= GROWTH;
-            }
-            before = found.best;
-        }
-        (points, None)
-    }
-}
-
-/// Where the root of the excess, which is a straight line if the sum is a parabola, reaches that of the level.
-fn crossing(from: (f64, f64), to: (f64, f64), level: f64) -> f64 {
-    let root = |excess: f64| excess.max(0.0).sqrt();
-    let share = (root(level) - root(from.1)) / (root(to.1) - root(from.1));
-    from.0 + share * (to.0 - from.0)
-}
-
-#[cfg(test)]
-mod profile_tests {
-    #[test]
-    fn a_parabola_is_crossed_where_it_is() {
-        let x = crate::study::parameters::fit::statistics::crossing((1.0, 1.0), (3.0, 9.0), 4.0);
-        assert!((x - 2.0).abs() < 1e-15);
-    }
+/// Where a search begins that takes the errors for those which neighbours show: one that begins without an error of the displacements may end where
+/// steep points alone are met.
+pub(super) fn neighbouring_errors(evaluator: &Evaluator, least: f64) -> Errors {
+    let force = evaluator.measured.noise().max(least);
+    let [_, displacement] = Variances::of_neighbours(evaluator, least).found();
+    Errors { force, displacement: displacement.sqrt() }
 }
 
 #[cfg(test)]
@@ -350,22 +348,48 @@ mod tests {
     #[test]
     fn errors_of_forces_and_displacements_are_told_apart_by_the_slope() {
         let normal = |k: usize| Normal::standard().inverse_cdf(((k * 1597) % 4000) as f64 / 4000.0 + 1.25e-4);
-        let row = |k: usize, displacement: f64, known: Option<f64>| {
-            let slope = 5.0 * (k as f64 / 4000.0).powi(3);
-            Row { square: (0.09 + (slope * displacement).powi(2)) * normal(k).powi(2), slope: slope * slope, known }
-        };
         let of = |displacement: f64, known: Option<f64>, given: Option<f64>| {
-            let rows: Vec<Row> = (0..4000).map(|k| row(k, displacement, known)).collect();
-            variances(&rows, given, 1e-12).map(f64::sqrt)
+            let mut all = Variances::new(DMatrix::zeros(4000, 0), 1e-6);
+            for k in 0..4000 {
+                let slope = 5.0 * (k as f64 / 4000.0).powi(3);
+                all.push((0.09 + (slope * displacement).powi(2)) * normal(k).powi(2), slope * slope, known, given);
+            }
+            all.found().map(f64::sqrt)
         };
         let [force, displacement] = of(0.2, None, None);
         assert!((force / 0.3 - 1.0).abs() < 0.05 && (displacement / 0.2 - 1.0).abs() < 0.05, "{force} {displacement}");
         let [force, displacement] = of(0.0, None, None);
         assert!((force / 0.3 - 1.0).abs() < 0.03 && displacement < 0.02, "{force} {displacement}");
-        let [_, displacement] = of(0.2, Some(0.09), None);
+        let [_, displacement] = of(0.2, Some(0.3), None);
         assert!((displacement / 0.2 - 1.0).abs() < 0.05, "{displacement}");
         let [force, displacement] = of(0.2, None, Some(0.04));
-        assert!((force / 0.3 - 1.0).abs() < 0.05 && displacement == 0.2, "{force} {displacement}");
+        assert!((force / 0.3 - 1.0).abs() < 0.05 && displacement == 0.0, "{force} {displacement}");
+    }
+
+    /// A line through twelve points with one error has n - p degrees of freedom. Of two errors in two groups of points the mean of each group has its
+    /// own n - 1.
+    #[test]
+    fn freedoms_are_those_of_a_line_and_of_two_means() {
+        let line = DMatrix::from_fn(12, 2, |row, column| if column == 0 { 1.0 } else { row as f64 - 5.5 });
+        let mut all = Variances::new(line, 1e-9);
+        (0..12).for_each(|row| all.push(1.0 + row as f64, 0.3, None, Some(0.0)));
+        let errors = all.errors(Errors::default());
+        assert!((errors.force.powi(2) - 78.0 / 12.0).abs() < 1e-9, "{errors:?}");
+        let of = |all: &Variances, errors: Errors| {
+            let weighted = all.weighted(&all.at([errors.force.powi(2), errors.displacement.powi(2)]));
+            all.freedoms(errors, &Covariance::new(&weighted, (0..weighted.ncols()).collect(), 1.0))
+        };
+        assert!(of(&all, errors).iter().all(|freedom| (freedom - 10.0).abs() < 1e-9), "{:?}", of(&all, errors));
+        let means = DMatrix::from_fn(12, 2, |row, column| f64::from(u8::from((row < 4) == (column == 0))));
+        let mut all = Variances::new(means, 1e-9);
+        // the errors of the first four are those of their forces, those of the others of their displacements
+        (0..4).for_each(|row| all.push(1.0 + row as f64, 0.0, None, None));
+        (0..8).for_each(|row| all.push(2.0 + row as f64, 0.25, Some(0.0), None));
+        let errors = all.errors(Errors::default());
+        assert!((errors.force.powi(2) - 10.0 / 4.0).abs() < 1e-6, "{errors:?}");
+        assert!((errors.displacement.powi(2) - 44.0 / 8.0 / 0.25).abs() < 1e-4, "{errors:?}");
+        let freedoms = of(&all, errors);
+        assert!((freedoms[0] - 3.0).abs() < 1e-6 && (freedoms[1] - 7.0).abs() < 1e-6, "{freedoms:?}");
     }
 
     /// Of a line the leverage of its ends is 1/n + t²/Σt².
@@ -378,7 +402,7 @@ mod tests {
 
     #[test]
     fn half_intervals_are_those_of_tables() {
-        assert!((half_interval(false, 5) - 1.959964).abs() < 1e-5);
-        assert!((half_interval(true, 5) - 2.570582).abs() < 1e-5);
+        assert!((half_interval(None) - 1.959964).abs() < 1e-5);
+        assert!((half_interval(Some(5.0)) - 2.570582).abs() < 1e-5);
     }
 }
