@@ -19,7 +19,7 @@ const STEP_TOLERANCE: f64 = 1e-8;
 /// Most residuals evaluated, over the number of coordinates and one.
 const PATIENCE: usize = 40;
 /// Where paths beside its end could not be computed, a search is at a minimum if a step by the derivatives would reduce the sum of squares by less than
-/// this share.
+/// this share. So it is where a step would do so by less than this: errors are far larger then.
 const LEFT: f64 = 1e-3;
 /// Added to the coordinates z, which lie between -π/2 and π/2, for the method: it takes its first step, and the steps that it ends at, over the
 /// size of its coordinates, which may not vanish.
@@ -118,7 +118,7 @@ impl Search<'_> {
         let reduced = jacobian.svd(true, false).u.map_or(0.0, |u| u.tr_mul(&residuals).norm_squared());
         let list = self.evaluator.problem.parameters.iter().zip(values);
         let list: Vec<String> = list.map(|(parameter, value)| format!("{} = {value:.6}", parameter.key)).collect();
-        (reduced > LEFT * sum).then(|| {
+        (reduced > LEFT * sum.max(1.0)).then(|| {
             let (share, list) = (100.0 * reduced / sum, list.join(", "));
             let why = if let NoFit::NoStart(why) = why { why.clone() } else { why.to_string() };
             format!(
