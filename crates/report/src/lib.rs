@@ -41,6 +41,7 @@ pub use number::{Finite, to_json};
 pub use outputs::outputs;
 pub use pictures::fit::draw_fit;
 pub use pictures::followed::draw_followed;
+pub use pictures::marked::Marked;
 pub use pictures::observed::draw_observed;
 pub use pictures::optimisation::draw_optimum;
 pub use pictures::peel::{curve_svg, draw_peel, draw_peel_with_branch};

@@ -1,6 +1,6 @@
 //! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
 
-use super::result::LocationError;
+use super::standing::LocationError;
 use super::standing::Standing;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;

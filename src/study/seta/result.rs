@@ -1,37 +1,10 @@
 //! What a pull-off of a seta gives.
 
-use crate::beam::spatial::rotation::Quaternion;
+use super::standing::{SetaPoint, SetaState};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
 use crate::study::asked::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
-
-/// A stable equilibrium of a seta.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SetaPoint {
-    /// Number of the step
-    pub step: usize,
-    /// How far the root has moved in the step, nm
-    pub displacement: f64,
-    /// Where the root is from where it was when the plane of the tips is the ground, nm
-    pub root: [f64; 3],
-    /// On the root along x, y and z, nN: what holds it
-    pub force: [f64; 3],
-    /// Of this, along the direction of the step: positive where the root is pulled
-    pub force_along: f64,
-    /// On the root about x, y and z, nN·nm
-    pub moment: [f64; 3],
-    /// Tips that adhere
-    pub attached: usize,
-    /// Tips that are where their law is an extrapolation
-    pub outside: usize,
-    /// Stored and of adhesion; zero of a detached stress-free seta, aJ
-    pub energy: f64,
-    /// Of the root from the start, aJ: the integral of the force between events
-    pub work: f64,
-    /// At events from the start, aJ
-    pub released: f64,
-}
 
 /// What one tip does in an event.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,57 +40,6 @@ pub struct SetaEvent {
     pub tips: Vec<TipChange>,
     /// Energy released, aJ
     pub released: f64,
-}
-
-/// Where a joint is, or a place of a branch.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct JointPlace {
-    /// nm
-    pub place: [f64; 3],
-    /// Of the branch that leads to the root
-    pub directors: Quaternion,
-}
-
-impl From<([f64; 3], Quaternion)> for JointPlace {
-    fn from((place, directors): ([f64; 3], Quaternion)) -> Self {
-        Self { place, directors }
-    }
-}
-
-/// A tip in a state.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TipState {
-    /// The branch of its law that it is on
-    pub on: TipBranch,
-    /// Its place of adhesion, nm
-    pub foot: [f64; 3],
-    /// Force of the ground on it, nN: negative along y where the ground pulls it down
-    pub load: [f64; 3],
-}
-
-/// How far an equilibrium that was looked for may lie from the one that was found: where the force has a maximum, or just before an event. It is
-/// an error of that search alone, with the mesh and the law of the tips as they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct LocationError {
-    /// Of the force along the direction of the step, nN
-    pub force: f64,
-    /// Of the displacement, nm
-    pub displacement: f64,
-}
-
-/// A seta in an equilibrium.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SetaState {
-    /// Its numbers
-    pub point: SetaPoint,
-    /// Where it was looked for: its error
-    pub location: Option<LocationError>,
-    /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
-    pub joints: Vec<JointPlace>,
-    /// Branch by branch between its joints, where its elements meet: evenly
-    pub between: Vec<Vec<JointPlace>>,
-    /// Tip by tip
-    pub tips: Vec<TipState>,
 }
 
 /// How a pull-off ended.

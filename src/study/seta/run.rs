@@ -5,10 +5,8 @@ use super::knot::Reached;
 use super::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
 use super::rest::{Rested, come_to_rest};
-use super::result::{
-    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaPoint, SetaPullOff,
-    SetaState,
-};
+use super::result::{EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaPullOff};
+use super::standing::{JointPlace, LocationError, SetaPoint, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::Critical;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
