@@ -75,8 +75,11 @@ pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoi
 pub use peel::work::Sliding;
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
-pub use seta::result::{EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaPullOff, TipChange};
-pub use seta::run::{SetaProgress, pull_off, pull_off_from};
+pub use seta::result::{
+    EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaProgress, SetaPullOff, SetaStation,
+    TipChange,
+};
+pub use seta::run::{pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
 pub use seta::standing::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, TipState};
 pub use solid_peel::{

@@ -202,6 +202,14 @@ impl EventAt {
         Self { name: name.to_owned(), quantity, value: 0.0, passing: Passing::Either, action: EventAction::Record }
     }
 
+    /// Whether the quantity passes the value, in a way that counts, where it goes from one number to another. Whole numbers pass it upwards where they
+    /// come to be above it, and downwards where they come to be below.
+    pub(in crate::study) fn passes(&self, before: f64, behind: f64) -> bool {
+        let rises = self.passing == Passing::Rising && self.quantity == EventQuantity::Named(StationQuantity::Attached);
+        let is_above = |number: f64| if rises { number > self.value } else { number >= self.value };
+        is_above(before) != is_above(behind) && self.passing.counts(before, behind)
+    }
+
     /// The same, and nothing is followed beyond it.
     pub fn stopping(self) -> Self {
         Self { action: EventAction::Stop, ..self }
