@@ -21,19 +21,20 @@ pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck,
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use displacement_controlled_test::observed::{NoTest, no_test, observed, observed_retreat};
 pub use displacement_controlled_test::result::{
-    Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, UnknownJumpError,
+    Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, TestStation,
+    UnknownJumpError,
 };
 pub use displacement_controlled_test::solid_pull::{SolidPull, SolidPullError, SolidPullPoint};
 pub use displacement_controlled_test::stable_branch::{
     Balance, BranchError, LeftModel, LoadingDirection, ModelLimit, TestError, TestFailure,
 };
 pub use in_time::pull::{
-    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, PullInTime, PullRate, PullStart, TimeAccuracy, Until,
-    pull_in_time, pull_in_time_from, pull_start,
+    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, InTimeStation, PullInTime, PullRate, PullStart,
+    TimeAccuracy, Until, pull_in_time, pull_in_time_from, pull_in_time_with, pull_start,
 };
 pub use in_time::seta::{
-    SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, SetaPullRate,
-    SetaTimeAccuracy, TipLoss, pull_seta_in_time,
+    SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, SetaInTimeStation,
+    SetaPullRate, SetaTimeAccuracy, TipLoss, pull_seta_in_time, pull_seta_in_time_with,
 };
 pub use initial::error::{
     LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium, NotPrepared, SettlingError, UnstableRest,

@@ -2,6 +2,7 @@
 
 use super::standing::LocationError;
 use super::standing::Standing;
+use crate::number::root::{self, Passing};
 use crate::solve::error::{Quantity, SolveError};
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::problem::Problem;
@@ -254,35 +255,22 @@ pub(super) fn passed(
         (low, high) = (solved(before)?, solved(behind)?);
     }
     let largest = at.value.abs().max(ends[0].abs()).max(ends[1].abs());
-    let mut best = None;
-    for solves in 0..MOST_SOLVES {
-        let share = if solves % 4 == 3 { 0.5 } else { low.1 / (low.1 - high.1) };
-        let displacement = low.0 + share * (high.0 - low.0);
+    let solve_at = |displacement: f64| {
         let knot = between(problem, [from, to], displacement, newton, ws)?;
-        let own = (displacement, above(&knot)?);
-        let is_met = own.1.abs() <= PASSED * largest || (high.0 - low.0).abs() <= PASSED * displacement.abs();
-        let (reach, slope) = ((high.0 - low.0).abs(), knot.slopes[1].abs());
-        let off = match at.quantity.named() {
-            Some(StationQuantity::Force) => {
-                LocationError { force: own.1.abs(), displacement: (own.1.abs() / slope).min(reach) }
-            }
-            Some(StationQuantity::Displacement) => {
-                LocationError { force: slope * own.1.abs(), displacement: own.1.abs() }
-            }
-            _ => LocationError { force: slope * reach, displacement: reach },
-        };
-        best = Some((knot, off));
-        if is_met {
-            break;
-        }
-        // an end that stays has half of its value, so that the other does not creep (Illinois)
-        if (own.1 >= 0.0) == (low.1 >= 0.0) {
-            (low, high.1) = (own, 0.5 * high.1);
-        } else {
-            (high, low.1) = (own, 0.5 * low.1);
-        }
-    }
-    Ok(best)
+        let above = above(&knot)?;
+        Ok::<_, SolveError>((knot, above))
+    };
+    let is_met = |above: f64, displacement: f64, left: f64| {
+        above.abs() <= PASSED * largest || left <= PASSED * displacement.abs()
+    };
+    let (knot, Passing { value: off, left, .. }) = root::passed(low, high, solve_at, is_met)?;
+    let (off, slope) = (off.abs(), knot.slopes[1].abs());
+    let location = match at.quantity.named() {
+        Some(StationQuantity::Force) => LocationError { force: off, displacement: (off / slope).min(left) },
+        Some(StationQuantity::Displacement) => LocationError { force: slope * off, displacement: off },
+        _ => LocationError { force: slope * left, displacement: left },
+    };
+    Ok(Some((knot, location)))
 }
 
 /// The equilibrium between two at a displacement of the root.
