@@ -193,7 +193,7 @@ fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
     };
     let mut text = text_summary::peel::peel(scene, &found.peel, beside, found.seconds, wanted);
     if let Some(test) = &found.test {
-        text += &format!("\n{}", text_summary::observed::observed(test, test_s, wanted));
+        text += &format!("\n{}", text_summary::observed::observed(test, &scene.looked_for(), test_s, wanted));
     }
     if let Some(exponents) = &found.exponents {
         let text_of = text_summary::sensitivities::sensitivities(&exponents.found, &exponents.keys, &exponents.refused);

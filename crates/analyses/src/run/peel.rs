@@ -9,7 +9,7 @@ use peelkit::study::{
     self, Checkpoint, Events, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
     PathEnd, Peel, Stations, StopCriteria, TestEnd,
 };
-use peelkit_report::{self as report, Journal, JournalKind, Marked, PeelSummary, ReportError, timed};
+use peelkit_report::{self as report, Journal, JournalKind, Marked, PassedAt, PeelSummary, ReportError, timed};
 use peelkit_scene::{BoundsTable, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -199,7 +199,8 @@ fn at_events(scene: &Scene, peel: &Peel) -> Vec<Events> {
 /// The displacement-controlled test of a scene.
 fn observed(scene: &Scene, session: &Session) -> Result<Observed, Refusal> {
     session.stage("displacement-controlled test");
-    study::observed(&scene.model, &scene.accuracy, &session.stop(scene)).map_err(|none| without_test(&none))
+    study::observed(&scene.model, &scene.accuracy, &StopCriteria { events: scene.looked_for(), ..session.stop(scene) })
+        .map_err(|none| without_test(&none))
 }
 
 impl PeelOutcome {
@@ -284,7 +285,12 @@ impl Outcome for PeelOutcome {
         if let Some(test) = test {
             files.push(report::write_observed(dir, test)?);
             if test.points.len() > 1 {
-                files.extend(report::draw_observed(test, &scene.title, dir)?);
+                files.extend(report::draw_observed(
+                    test,
+                    &PassedAt::of_test(test, &scene.looked_for()),
+                    &scene.title,
+                    dir,
+                )?);
             }
         }
         if asked.animate && peel.points.len() > 1 {

@@ -1,6 +1,6 @@
 //! The summary of one peel.
 
-use super::found::{looked_for, value_text};
+use super::found::{looked_for_text, value_text};
 use super::layout::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
@@ -147,7 +147,7 @@ fn found_lines(
     (found, missed, range): (&[Station], &[MissedStation], [f64; 2]),
     units: &Units,
 ) -> Vec<String> {
-    let title = looked_for(at, units);
+    let title = looked_for_text(at, units);
     let line = |station: &Station| {
         let (place, force) = (station.displacement, station.force);
         let (place, force) = match station.errors {

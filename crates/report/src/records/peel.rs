@@ -168,17 +168,17 @@ impl<'a> PeelSummary<'a> {
 
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(mut self, test: &'a Observed, solve_s: f64) -> Self {
-        self.found.observed = Some(ObservedSummary::new(test, solve_s));
+        self.found.observed = Some(ObservedSummary::new(test, solve_s).of_scene(self.found.scene));
         self
     }
 
-    /// The same with the equilibria at values that were asked for.
+    /// The same with where the events of its scene lie.
     pub fn with_events(mut self, events: &'a [Events]) -> Self {
         self.found.events = events;
         self
     }
 
-    /// The same with the equilibria at the values that its scene asks for.
+    /// The same with the equilibria at values that were asked for.
     pub fn with_stations(mut self, stations: &'a [Stations]) -> Self {
         self.found.stations = stations;
         self

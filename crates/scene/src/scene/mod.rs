@@ -143,6 +143,11 @@ impl Scene {
 }
 
 impl Scene {
+    /// Stations and events, as a run looks for them on its way.
+    pub fn looked_for(&self) -> Vec<EventAt> {
+        self.stations.iter().map(|&at| at.into()).chain(self.events.iter().cloned()).collect()
+    }
+
     /// What it describes.
     pub fn describes(&self) -> Described<'_> {
         match (&self.time, &self.seta, &self.solid) {
