@@ -15,7 +15,7 @@
 use crate::common::{paper_strip, whole_peel};
 use peelkit::study::{
     Accuracy, BeamState, Bound, EventAction, EventAt, EventQuantity, Events, Passing, PathEnd, Peel, StateSections,
-    StationAt, StationQuantity, StopCriteria, peel,
+    StationAt, StationQuantity, StopCriteria, TestEnd, observed, peel,
 };
 
 fn event(quantity: StationQuantity, passing: Passing, value: f64) -> EventAt {
@@ -114,4 +114,40 @@ fn an_event_without_a_number_is_missed_and_says_so() {
     assert!(events.found.is_empty());
     let missed = events.missed.first().expect("nothing missed").to_string();
     assert!(missed.contains("not a finite number in the quantity of an event"), "{missed}");
+}
+
+/// Stations and events of a displacement-controlled test: the equilibria of the path, by what the grip does, behind any spring. What a jump passes
+/// over is told behind the jump, and an event that stops is the last point.
+#[test]
+fn a_test_has_the_stations_of_the_path_on_its_stable_branches() {
+    // the force at u = 30 nm, on the way to the first jump: verification/stations.csv
+    const FORCE: f64 = 0.0504094198094;
+    let at = |quantity, value| EventAt::from(StationAt { quantity, value });
+    let half_off = event(StationQuantity::Front, Passing::Falling, 50.0);
+    let looked_for = [at(StationQuantity::Displacement, 30.0), half_off.clone(), at(StationQuantity::Front, 30.0)];
+    let test_of = |stiffness, events: &[EventAt]| {
+        let mut model = paper_strip(100.0, 1.0);
+        model.grip.stiffness = stiffness;
+        let stop = StopCriteria { events: events.to_vec(), ..StopCriteria::after_points(5000) };
+        observed(&model, &Accuracy::to(1e-6), &stop).unwrap()
+    };
+    let (rigid, sprung) = (test_of(None, &looked_for), test_of(Some(0.05), &looked_for));
+    let path = whole_peel(&paper_strip(100.0, 1.0), 1e-6).events(&half_off).found[0];
+    for test in [&rigid, &sprung] {
+        let of = |event: usize| test.stations.iter().filter(move |station| station.event == event);
+        let first = of(0).next().unwrap();
+        let bound = first.errors.unwrap().force;
+        assert!((first.point.displacement - 30.0).abs() < 1e-9, "{first:?}");
+        assert!((first.point.force - FORCE).abs() <= bound && bound <= 1e-6 * FORCE, "{first:?}");
+        let front = of(1).next().unwrap();
+        let known = front.errors.unwrap().displacement + path.errors.unwrap().displacement;
+        assert!((front.point.displacement - path.displacement).abs() <= known, "{front:?} {path:?}");
+        // no stable branch has a front of 30 nm: a jump passes over it
+        assert!(of(2).next().unwrap().point.jumped && of(2).all(|station| station.point.jumped));
+    }
+    // what is recorded changes nothing
+    assert_eq!(rigid.points, test_of(None, &[]).points);
+    let stopped = test_of(None, &[half_off.stopping()]);
+    assert_eq!(stopped.end, TestEnd::Bound(Bound::Event { name: "event".to_owned() }));
+    assert!((stopped.points.last().unwrap().front - 50.0).abs() < 1e-8);
 }

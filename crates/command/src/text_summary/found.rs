@@ -1,9 +1,12 @@
 //! What stations and events of the user are called in print.
 
 use super::number::short;
-use super::units::Units;
+use super::units::{Unit, Units};
 use peelkit::study::{EventAt, StationQuantity};
 use peelkit_report::PassedAt;
+
+/// An error below this share of its number is round-off.
+const ROUND_OFF: f64 = 1e-10;
 
 /// What was looked for: a value of a quantity, and the name of an event that has one.
 pub(super) fn looked_for_text(at: &EventAt, units: &Units) -> String {
@@ -37,18 +40,20 @@ pub(super) fn value_text(at: &EventAt, value: f64, units: &Units) -> String {
 /// Where stations and events lie beside a path, a line each; and which of them lie nowhere.
 pub(super) fn passed_lines(passed: &[PassedAt], looked_for: &[EventAt], units: &Units) -> Vec<(&'static str, String)> {
     let found = |at: &PassedAt| {
-        let with = |error: Option<f64>, exact: &dyn Fn(f64) -> String, value: String| error.map_or(value, exact);
-        let place = at.machine.unwrap_or(at.displacement);
-        let symbol = if at.machine.is_some() { "U" } else { "u" };
-        // of a station at a displacement its own error is none
-        let place =
-            with(at.displacement_error, &|error| units.length.with_error(place, error), units.length.short(place));
-        let force = with(at.force_error, &|error| units.force.with_error(at.force, error), units.force.short(at.force));
+        // an error far below what is printed says nothing
+        let known = |value: f64, error: Option<f64>| error.filter(|error| *error > ROUND_OFF * value.abs());
+        let with = |unit: Unit, value: f64, error: Option<f64>| match known(value, error) {
+            Some(error) => unit.with_error(value, error),
+            None => unit.short(value),
+        };
+        let machine = at.machine.map_or(String::new(), |machine| format!("U = {}, ", units.length.short(machine)));
+        let place = with(units.length, at.displacement, at.displacement_error);
+        let force = with(units.force, at.force, at.force_error);
         let time = at.time.map_or(String::new(), |time| format!("t = {:.6e} s, ", 1e-9 * time));
         let tips = at.attached.map_or(String::new(), |attached| format!(", {attached} tips attached"));
         let jumped = if at.jumped { ", behind a jump" } else { "" };
         format!(
-            "{}: {time}{symbol} = {place}, P = {force}{tips}{jumped}",
+            "{}: {machine}{time}u = {place}, P = {force}{tips}{jumped}",
             looked_for_text(&looked_for[at.event], units)
         )
     };

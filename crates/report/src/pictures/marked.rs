@@ -26,18 +26,20 @@ impl Marked {
     }
 }
 
-/// Marks what was found in every panel that shows it: squares, in the legend once, an event with its name.
+/// Marks what was found in every panel that shows it: squares, in the legend once, an event with its name where it first lies.
 pub(crate) fn mark_found(panels: &mut [Panel], marked: &[Marked]) {
     for panel in panels {
-        let mut labelled = 0;
+        let mut labelled: Vec<&str> = Vec::new();
         let (mut station, mut event) = (Some("station"), Some("event"));
-        for Marked { name, at } in marked.iter().filter(|marked| panel.shows(marked.at)).cloned().collect::<Vec<_>>() {
-            let is_event = !name.is_empty();
+        let shown: Vec<&Marked> = marked.iter().filter(|marked| panel.shows(marked.at)).collect();
+        for Marked { name, at } in shown {
+            let is_station = name.is_empty();
             let (legend, colour) =
-                if is_event { (event.take(), colour::GREEN) } else { (station.take(), colour::ORANGE) };
-            let note = (is_event && labelled < LABELLED).then(|| Note { badge: None, text: vec![name] });
-            labelled += usize::from(note.is_some());
-            panel.marks.push(Mark { at, symbol: Symbol::Square, colour, name: legend.map(str::to_owned), note });
+                if is_station { (station.take(), colour::ORANGE) } else { (event.take(), colour::GREEN) };
+            let is_new = !is_station && labelled.len() < LABELLED && !labelled.contains(&name.as_str());
+            labelled.extend(is_new.then_some(name.as_str()));
+            let note = is_new.then(|| Note { badge: None, text: vec![name.clone()] });
+            panel.marks.push(Mark { at: *at, symbol: Symbol::Square, colour, name: legend.map(str::to_owned), note });
         }
     }
 }
