@@ -151,8 +151,8 @@ class Peel:
         Parameters
         ----------
         **value : float or str
-            One of ``displacement`` (nm), ``force`` (nN), ``front`` (nm) and ``end_rotation`` (rad), or a text with another
-            unit: ``end_rotation="30 deg"``.
+            One of ``displacement`` (nm), ``force`` (nN), ``front`` (nm), ``end_rotation`` (rad) and ``free_end_gap`` (nm), or a
+            text with another unit: ``end_rotation="30 deg"``.
 
         Returns
         -------

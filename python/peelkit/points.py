@@ -152,6 +152,8 @@ class Station:
         ∫ P du from where the path begins, aJ.
     stable : bool
         Whether the beam is stable under displacement control there.
+    free_end_gap, free_end_gap_error : float
+        Distance of the free end's nearer edge from the ground and the bound on its error, nm.
 
     A bound is None where there is none: with friction, where a term of the model was left out, and next to a limit
     point that a finer mesh has elsewhere.
@@ -167,6 +169,8 @@ class Station:
     force_error: float | None
     end_rotation_error: float | None
     front_error: float | None
+    free_end_gap: float
+    free_end_gap_error: float | None
 
     @property
     def error(self) -> float | None:
@@ -187,4 +191,6 @@ class Station:
             found["error_nN"],
             found["error_rad"],
             found["error_front_nm"],
+            found["free_end_gap_nm"],
+            found["error_gap_nm"],
         )

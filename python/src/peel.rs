@@ -6,7 +6,7 @@ use crate::found::save;
 use crate::interrupt::Watch;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
-use peelkit::study::{self, PathEnd, Peel, PeelResult, Stations};
+use peelkit::study::{self, Events, PathEnd, Peel, PeelResult, Stations};
 use peelkit_analyses::PeelOutcome;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
 use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
@@ -94,7 +94,9 @@ impl NativePeel {
         }
         let scene = &self.source.scene;
         let stations: Vec<Stations> = scene.stations.iter().map(|&at| self.peel.stations(at)).collect();
-        let made = PeelSummary::new(scene, &self.peel, self.solve_s).with_stations(&stations).to_json();
+        let events: Vec<Events> = scene.events.iter().map(|at| self.peel.events(at)).collect();
+        let made =
+            PeelSummary::new(scene, &self.peel, self.solve_s).with_stations(&stations).with_events(&events).to_json();
         let text = made.map_err(|error| unwritten(py, "summary", error))?;
         Ok(self.summary.get_or_init(|| text))
     }

@@ -3,7 +3,7 @@
 use crate::errors::scene_error;
 use crate::interrupt::Watch;
 use crate::peel::NativePeel;
-use peelkit::study::{self, Checkpoint};
+use peelkit::study::{self, Checkpoint, StopCriteria};
 use peelkit_report::timed;
 use peelkit_scene::{Described, KEYS, Key, Scene, Value, find_key};
 use pyo3::prelude::*;
@@ -137,7 +137,8 @@ impl NativeScene {
         let scene = self.source.of_peel(py)?;
         let (source, watch) = (self.source.clone(), Watch::begin());
         let (peel, solve_s) = py.detach(|| {
-            let stop = watch.on(scene.bounds.from_now());
+            let events = scene.events.clone();
+            let stop = StopCriteria { events, ..watch.on(scene.bounds.from_now()) };
             timed(|| study::peel_on(&scene.model, &scene.accuracy, &stop, &Checkpoint::NOTHING))
         });
         watch.end()?;

@@ -120,6 +120,50 @@ impl Bracket {
     }
 }
 
+/// Most looks of [`passed`].
+const MOST_SOLVES: usize = 40;
+
+/// Where what is solved for at a place passes zero, between two places with their values, of which it is above at one alone: by the rule of false
+/// position, in which an end that stays has half of its value, so that the other does not creep (Illinois). `solve` gives what is there and its
+/// value; `is_met` says by the value, the place and what is left of the bracket whether that is near enough. The last one where none is.
+///
+/// # Errors
+/// As of `solve`.
+pub fn passed<T, E>(
+    mut low: (f64, f64),
+    mut high: (f64, f64),
+    mut solve: impl FnMut(f64) -> Result<(T, f64), E>,
+    is_met: impl Fn(f64, f64, f64) -> bool,
+) -> Result<(T, Passing), E> {
+    let mut looks = 0;
+    loop {
+        let share = if looks % 4 == 3 { 0.5 } else { low.1 / (low.1 - high.1) };
+        let place = low.0 + share.clamp(0.0, 1.0) * (high.0 - low.0);
+        let (found, value) = solve(place)?;
+        let passing = Passing { place, value, left: (high.0 - low.0).abs() };
+        looks += 1;
+        if is_met(value, place, passing.left) || looks == MOST_SOLVES {
+            return Ok((found, passing));
+        }
+        if (value >= 0.0) == (low.1 >= 0.0) {
+            (low, high.1) = ((place, value), 0.5 * high.1);
+        } else {
+            (high, low.1) = ((place, value), 0.5 * low.1);
+        }
+    }
+}
+
+/// Where something was found to pass zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// The place
+    pub place: f64,
+    /// What is left of the value there
+    pub value: f64,
+    /// What was left of the bracket before
+    pub left: f64,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,6 +185,15 @@ mod tests {
         let atan = |x: f64| ((x - 1.0).atan(), (1.0 + (x - 1.0).powi(2)).recip());
         let root = Bracket { low: -40.0, high: 60.0 }.newton(50.0, atan, close);
         assert_relative_eq!(root.unwrap(), 1.0, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn false_position_passes_a_root_and_says_what_is_left() {
+        let cube = |x: f64| Ok::<_, ()>((x, x * x * x - 2.0));
+        let (root, passing) = passed((0.0, -2.0), (2.0, 6.0), cube, |value, ..| value.abs() < 1e-13).unwrap();
+        assert_relative_eq!(root, 2f64.cbrt(), max_relative = 1e-13);
+        assert!(passing.place == root && passing.value.abs() < 1e-13 && passing.left < 2.0);
+        assert_eq!(passed((0.0, -2.0), (2.0, 6.0), |_| Err::<((), f64), _>("why"), |..| true), Err("why"));
     }
 
     #[test]

@@ -29,6 +29,8 @@ pub enum Quantity {
     DampedUpdate,
     /// The direction of the path.
     PathTangent,
+    /// What passes a value in an event.
+    EventQuantity,
 }
 
 impl fmt::Display for Quantity {
@@ -38,6 +40,7 @@ impl fmt::Display for Quantity {
             Self::NewtonUpdate => "Newton's update",
             Self::DampedUpdate => "a damped update",
             Self::PathTangent => "the path's tangent",
+            Self::EventQuantity => "the quantity of an event",
         })
     }
 }

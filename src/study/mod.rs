@@ -16,23 +16,25 @@ pub use crate::solve::LimitPointKind;
 pub use crate::solve::points::tracer::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 /// Order of the elements with which a point is followed.
 pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice, ORDER as FOLLOWED_ORDER};
+pub use asked::events::{EventAction, EventAt, EventQuantity, OfFields, Passing, StationAt, StationQuantity};
 pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use displacement_controlled_test::observed::{NoTest, no_test, observed, observed_retreat};
 pub use displacement_controlled_test::result::{
-    Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, UnknownJumpError,
+    Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, TestStation,
+    UnknownJumpError,
 };
 pub use displacement_controlled_test::solid_pull::{SolidPull, SolidPullError, SolidPullPoint};
 pub use displacement_controlled_test::stable_branch::{
     Balance, BranchError, LeftModel, LoadingDirection, ModelLimit, TestError, TestFailure,
 };
 pub use in_time::pull::{
-    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, PullInTime, PullRate, PullStart, TimeAccuracy, Until,
-    pull_in_time, pull_in_time_from, pull_start,
+    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, InTimeStation, PullInTime, PullRate, PullStart,
+    TimeAccuracy, Until, pull_in_time, pull_in_time_from, pull_in_time_with, pull_start,
 };
 pub use in_time::seta::{
-    SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, SetaPullRate,
-    SetaTimeAccuracy, TipLoss, pull_seta_in_time,
+    SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, SetaInTimeStation,
+    SetaPullRate, SetaTimeAccuracy, TipLoss, pull_seta_in_time, pull_seta_in_time_with,
 };
 pub use initial::error::{
     LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium, NotPrepared, SettlingError, UnstableRest,
@@ -75,19 +77,20 @@ pub use peel::work::Sliding;
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 pub use seta::result::{
-    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaPoint,
-    SetaPullOff, SetaState, TipChange, TipState,
+    EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaProgress, SetaPullOff, SetaStation,
+    TipChange,
 };
-pub use seta::run::{SetaProgress, pull_off, pull_off_from};
+pub use seta::run::{pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
-pub use seta::standing::SetaBranch;
+pub use seta::standing::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, TipState};
 pub use solid_peel::{
     SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
     peel_solid,
 };
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
-pub use states::beam_state::{BeamState, StateSections};
-pub use states::station::{MissedStation, Station, StationAt, StationErrors, StationQuantity, Stations};
+pub use states::fields::{BeamState, StateSections};
+pub use states::locator::StationErrors;
+pub use states::station::{Events, MissedStation, Station, Stations};
 pub use terms::effects::TermEffect;
 pub use terms::term_selection::{checked, peel, peel_on};
 pub use terms::warnings::{Warning, WarningKind};

@@ -3,7 +3,7 @@
 //! Reference: `verification/stations.csv`, a collocation without finite elements. Strip of the paper, 100 nm.
 //!
 //! Expected: the same numbers from the command line, from the scene and from the scene that the run has written; a value that the path does not pass
-//! is told with the range of those that it passes, and is no failure.
+//! is told with the range of those that it passes, and is no failure. An event that stops ends the path with a name, and with the exit status 0.
 
 use crate::peel::refuses;
 use serde_json::Value;
@@ -72,6 +72,50 @@ fn stations_of_the_command_line_are_those_of_the_scene() {
 }
 
 #[test]
+fn events_of_the_command_line_are_those_of_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("events");
+    let asked = ["--event", "P > 0.04 nN", "--stop-at", "half off: front < 50 nm"];
+    let output = peel(&[&["run", STRIP, "--out", out.to_str().unwrap()], &asked[..]].concat());
+    let printed = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for line in [
+        "events             P > 0.04 nN: u = 0.00695345",
+        "half off, front < 50 nm: u = 19.10649",
+        "event: the path is followed no further: the event \"half off\"",
+    ] {
+        assert!(printed.contains(line), "{line}\n{printed}");
+    }
+    let rows = rows(&out);
+    let last = |row: &Vec<String>| row.last().unwrap().clone();
+    assert_eq!(rows.iter().map(last).collect::<Vec<_>>(), ["event", "P > 0.04 nN", "half off"]);
+    let events = |arguments: &[&str]| {
+        let output = peel(&[arguments, &["--json"]].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let summary: Value = serde_json::from_slice(&output.stdout).unwrap();
+        (summary["end"].clone(), summary["events"].clone())
+    };
+    let of_line = events(&[&["run", STRIP], &asked[..]].concat());
+    let in_scene = "output.events=[{ when = \"P > 0.04 nN\" }, { name = \"half off\", when = \"front < 50 nm\", action = \"stop\" }]";
+    assert_eq!(of_line, events(&["run", STRIP, "--set", in_scene]));
+    assert_eq!(of_line, events(&["run", out.join("parameters.toml").to_str().unwrap()]));
+    assert_eq!(of_line.0, Value::from("event"));
+}
+
+#[test]
+fn what_is_no_event_is_refused() {
+    for (option, event, message) in [
+        ("--event", "front 50 nm", "--event is \"front 50 nm\", which has no =, < or >"),
+        ("--stop-at", "x < 3 nm", "--stop-at is \"x\", which is none of"),
+        ("--event", "attached < 3", "`output.events` is given, and the path of a beam has no `attached` to look for"),
+    ] {
+        refuses(&[], &["run", STRIP, option, event, "--json"], &[message]);
+    }
+    let twice = ["run", STRIP, "--event", "u = 3 nm", "--stop-at", "u=3 nm", "--json"];
+    refuses(&[], &twice, &["--stop-at has the name \"u = 3 nm\" of another event"]);
+}
+
+#[test]
 fn a_run_without_stations_has_none() {
     assert_eq!(found(&["run", STRIP]), Value::Null);
 }
@@ -83,7 +127,8 @@ fn what_is_no_station_is_refused() {
         (STRIP, "u", "--at is \"u\", which has no ="),
         (STRIP, "u=3", "--at is `displacement` = \"3\", which is not a length with its unit"),
         (STRIP, "P=3 nm", "--at is `force` = \"3 nm\", which is not a force with its unit"),
-        (SETA, "u=3 nm", "--at is given, and the scene has a [seta] or a [time]"),
+        (STRIP, "t=3 us", "`output.stations` is given, and the path of a beam has no `time` to look for"),
+        (SETA, "front=3 nm", "`output.stations` is given, and the pull-off of a seta has no `front` to look for"),
     ] {
         refuses(&[], &["run", scene, "--at", at, "--json"], &[message]);
     }

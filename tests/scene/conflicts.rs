@@ -141,10 +141,51 @@ fn stations_are_refused_by_what_is_wrong_with_them() {
     assert_says(&stations("{ displacement = \"1e300 m\" }"), &["which is not a length"]);
     let many = format!("{{ displacement = [{}] }}", "\"1 nm\", ".repeat(1001));
     assert_says(&stations(&many), &["has 1001 values, and a path has at most 1000 stations"]);
-    let asked = set("output.stations", "{ displacement = \"10 nm\" }");
+    let asked = set("output.stations", "{ end_rotation = \"10 deg\" }");
     let rate = format!("{MINIMAL}[time]\nrate = \"1 mm/s\"\ndensity = \"1300 kg/m3\"\n");
     let error = Scene::parse_any("a.toml", &rate, &asked).unwrap_err();
-    assert_says(&error.to_string(), &["the scene has `output.stations`, which is not followed in time"]);
+    assert_says(
+        &error.to_string(),
+        &["`output.stations` is given, and a beam pulled at a rate has no `end_rotation` to look for"],
+    );
     let error = Scene::parse_any("a.toml", crate::text::SETA, &asked).unwrap_err();
-    assert_says(&error.to_string(), &["`output.stations` is given, and the scene has a [seta]"]);
+    assert_says(
+        &error.to_string(),
+        &["`output.stations` is given, and the pull-off of a seta has no `end_rotation` to look for"],
+    );
+    let error = Scene::parse_any("a.toml", MINIMAL, &set("output.stations", "{ time = \"1 us\" }")).unwrap_err();
+    assert_says(&error.to_string(), &["the path of a beam has no `time` to look for"]);
+    assert!(
+        Scene::parse_any("a.toml", crate::text::SETA, &set("output.stations", "{ displacement = \"1 um\" }")).is_ok()
+    );
+}
+
+#[test]
+fn events_are_refused_by_what_is_wrong_with_them() {
+    let events = |value: &str| shown(MINIMAL, &set("output.events", value));
+    assert_says(&events("\"front < 50 nm\""), &["is \"front < 50 nm\", no list of tables"]);
+    assert_says(&events("[]"), &["has 0 events; from 1 to 1000 are looked for"]);
+    assert_says(&events("[\"front < 50 nm\"]"), &["no table with a `when`"]);
+    assert_says(&events("[{ name = \"a\" }]"), &["has no `when`, a condition such as"]);
+    assert_says(&events("[{ when = \"front\" }]"), &["has `when` = \"front\", which has no =, < or >"]);
+    assert_says(&events("[{ when = \"x < 3 nm\" }]"), &["\"x\", which is none of `displacement`"]);
+    assert_says(&events("[{ when = \"P > 3 nm\" }]"), &["`force` = \" 3 nm\", which is not a force with its unit"]);
+    assert_says(&events("[{ when = 3 }]"), &["has `when` = 3, no text"]);
+    assert_says(
+        &events("[{ when = \"u > 3 nm\", at = \"x\" }]"),
+        &["has \"at\", which is none of `when`, `name`, `action`"],
+    );
+    let halt = "[{ when = \"u > 3 nm\", action = \"halt\" }]";
+    assert_says(&events(halt), &["has `action` = \"halt\", which is neither \"record\" nor \"stop\""]);
+    let twice = "[{ when = \"u > 3 nm\" }, { when = \"u > 3 nm\" }]";
+    assert_says(&events(twice), &["has the name \"u > 3 nm\" of an earlier one"]);
+    let whole = "[{ when = \"attached = 3\" }]";
+    assert_says(&events(whole), &["`attached` goes by whole numbers: write < or >"]);
+    let tips = set("output.events", "[{ when = \"attached < 3\" }]");
+    let error = Scene::parse_any("a.toml", MINIMAL, &tips).unwrap_err();
+    assert_says(
+        &error.to_string(),
+        &["`output.events` is given, and the path of a beam has no `attached` to look for"],
+    );
+    assert!(Scene::parse_any("a.toml", crate::text::SETA, &tips).is_ok());
 }

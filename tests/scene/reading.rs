@@ -9,7 +9,7 @@ use peelkit::beam::Material;
 use peelkit::model::{
     Attraction, Body, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step, Transition,
 };
-use peelkit::study::{FollowedUntil, StationAt, StationQuantity, Terms};
+use peelkit::study::{EventAction, EventAt, EventQuantity, FollowedUntil, Passing, StationAt, StationQuantity, Terms};
 use peelkit_scene::{KEYS, Key, Scene};
 
 #[test]
@@ -75,6 +75,7 @@ step = 0.05
 until = "detachment"
 [output]
 stations = { displacement = ["10 nm", "0.02 um"], end_rotation = "30 deg" }
+events = [{ name = "half off", when = "front < 50 nm", action = "stop" }, { when = "P>0.04 nN" }]
 [bounds]
 points = 50
 time = "2 min"
@@ -104,6 +105,16 @@ displacement = "0.5 um"
     let moved = [10.0, 20.0].map(|value| at(StationQuantity::Displacement, value));
     let turned = at(StationQuantity::EndRotation, 30f64.to_radians());
     assert_eq!(scene.stations, [&moved[..], &[turned]].concat());
+    let event = |name: &str, quantity, passing, value, action| EventAt {
+        name: name.to_owned(),
+        quantity: EventQuantity::Named(quantity),
+        value,
+        passing,
+        action,
+    };
+    let half_off = event("half off", StationQuantity::Front, Passing::Falling, 50.0, EventAction::Stop);
+    let by_condition = event("P > 0.04 nN", StationQuantity::Force, Passing::Rising, 0.04, EventAction::Record);
+    assert_eq!(scene.events, [half_off, by_condition]);
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });

@@ -67,7 +67,12 @@ fn what_a_solid_does_not_have_is_refused_by_its_own_key() {
         ("", "accuracy.elements=40", "accuracy.elements", "solid.along"),
         ("", "terms=auto", "terms", "all its terms"),
         ("", "path.until=detachment", "path.until", "to the end"),
-        ("[output]\nstations = { force = \"0.1 nN\" }\n", "solid.through=4", "output.stations", "displacements alone"),
+        (
+            "[output]\nstations = { force = \"0.1 nN\" }\n",
+            "solid.through=4",
+            "output.stations",
+            "has no `force` to look for",
+        ),
     ];
     for (more, given, key, says) in refused {
         let (path, value) = given.split_once('=').unwrap();

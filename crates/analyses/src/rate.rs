@@ -3,7 +3,8 @@
 use crate::seta::Setae;
 use peelkit::model::SetaModel;
 use peelkit::study::{
-    InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, StopCriteria, pull_in_time, pull_seta_in_time,
+    InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, StopCriteria, pull_in_time_with,
+    pull_seta_in_time_with,
 };
 use peelkit_report::PulledAtRate;
 use peelkit_scene::{Scene, SetaTable, TimeTable};
@@ -39,7 +40,7 @@ pub fn pull_beam(
     stop: &StopCriteria,
 ) -> Result<AsFar<PullInTime>, InTimeFailureKind> {
     let (pull, accuracy) = (scene.pull_rate(table), scene.time_accuracy(table));
-    match pull_in_time(&scene.model, &table.moving_material(), &pull, &accuracy, stop.while_followed()) {
+    match pull_in_time_with(&scene.model, &table.moving_material(), &pull, &accuracy, stop) {
         Ok(pulled) => Ok((pulled, None)),
         Err(failure) => match failure.reached {
             Some(reached) => Ok((*reached, Some(failure.why.to_string()))),
@@ -56,7 +57,7 @@ pub fn pull_seta(
     stop: &StopCriteria,
 ) -> Result<AsFar<SetaInTime>, SetaInTimeFailureKind> {
     let (pull, accuracy) = (scene.seta_pull_rate(table, seta), scene.seta_time_accuracy(table));
-    match pull_seta_in_time(model, &table.moving_material(), &pull, &accuracy, stop.while_followed()) {
+    match pull_seta_in_time_with(model, &table.moving_material(), &pull, &accuracy, stop) {
         Ok(pulled) => Ok((pulled, None)),
         Err(failure) => match failure.reached {
             Some(reached) => Ok((*reached, Some(failure.why.to_string()))),

@@ -78,7 +78,7 @@ Files:
                      groups), version and command. A peak is a located limit point or null; then largest_computed_force
                      has no bound
   curve.csv          one row for each point of the path; with --out-of-plane its stability out of the plane
-  stations.csv       with --at: one row for each equilibrium at a value that was asked for
+  stations.csv       with --at, --event or --stop-at: one row for each equilibrium at a value that was asked for
   limit_points.csv   one row for each limit point of load or displacement, with error bounds
   parameters.toml    the scene as it was computed, with what --set has changed: peel run computes it to the same numbers
   curve.svg, .png    force against displacement

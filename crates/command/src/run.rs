@@ -10,8 +10,9 @@ use super::text_summary::rate::LawOfTips;
 use super::text_summary::units::{UnitsArgs, WantedUnits};
 use super::{help, text_summary};
 use clap::Args;
+use peelkit::study::EventAction;
 use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
-use peelkit_scene::{Described, Scene, station};
+use peelkit_scene::{Scene, event, refused_quantity, station};
 use std::path::PathBuf;
 
 /// Computes the whole equilibrium path of one scene, with its limit points and their error bounds
@@ -26,9 +27,19 @@ pub struct Run {
 
     /// Computes the path at an exact value besides, u="10 nm" say
     ///
-    /// Of `u` (displacement), `P` (force), `front` or `end_rotation`; may be repeated. Adds stations.csv.
+    /// Of `u` (displacement), `P` (force), `front`, `end_rotation`, `free_end_gap` or, at a rate, `t`; may be repeated. Adds stations.csv.
     #[arg(long, value_name = "QUANTITY=VALUE")]
     at: Vec<String>,
+
+    /// Records where a quantity passes a value, "P > 0.04 nN" say
+    ///
+    /// With =, < or > for either way, falling or rising; a name may stand before: "half off: front < 50 nm". Adds stations.csv.
+    #[arg(long, value_name = "CONDITION")]
+    event: Vec<String>,
+
+    /// The same, and follows nothing beyond it
+    #[arg(long, value_name = "CONDITION")]
+    stop_at: Vec<String>,
 
     /// Adds a displacement-controlled test: stable branches and jumps
     ///
@@ -91,7 +102,10 @@ impl Run {
             (self.branch, "branch"),
             (self.sensitivities, "sensitivities"),
         ];
-        let at = self.at.iter().map(|at| format!("at={at}"));
+        let of =
+            |name: &'static str, given: &[String]| given.iter().map(|at| format!("{name}={at}")).collect::<Vec<_>>();
+        let at = [("at", &self.at), ("event", &self.event), ("stop-at", &self.stop_at)];
+        let at = at.into_iter().flat_map(|(name, given)| of(name, given));
         asked.iter().filter(|(is, _)| *is).map(|(_, name)| (*name).to_owned()).chain(states).chain(at).collect()
     }
 
@@ -106,19 +120,28 @@ impl Run {
         }
     }
 
-    /// Adds the stations of the command line to those of the scene.
+    /// Adds the stations and events of the command line to those of the scene.
     fn add_stations(&self, scene: &mut Scene) -> Result<(), Stop> {
-        if !self.at.is_empty() && !matches!(scene.describes(), Described::Peel | Described::Solid(_)) {
-            return Err(Stop::bad_input(
-                "--at is given, and the scene has a [seta] or a [time]: stations are those of a path of equilibria of a beam or of a solid",
-                "Omit --at.",
-            ));
-        }
         for text in &self.at {
             let at = station(text).map_err(|why| Stop::bad_input(format!("--at {}", why.found), why.remedy))?;
             scene.stations.push(at);
         }
-        Ok(())
+        let events = [("--event", &self.event, EventAction::Record), ("--stop-at", &self.stop_at, EventAction::Stop)];
+        for (option, given, action) in events {
+            for text in given {
+                let at = event(text, action)
+                    .map_err(|why| Stop::bad_input(format!("{option} {}", why.found), why.remedy))?;
+                if scene.events.iter().any(|other| other.name == at.name) {
+                    let found = format!("{option} has the name \"{}\" of another event", at.name);
+                    return Err(Stop::bad_input(found, "Give it another name before a colon: \"name: condition\"."));
+                }
+                scene.events.push(at);
+            }
+        }
+        match refused_quantity(scene) {
+            Some((key, problem)) => Err(Stop::bad_input(format!("`{key}` {}", problem.found), problem.remedy)),
+            None => Ok(()),
+        }
     }
 
     fn refuse_states_without_files(&self) -> Result<(), Stop> {
@@ -162,11 +185,15 @@ pub fn run(args: &Run) -> Result<(), Stop> {
 
 fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
     let [.., test_s] = found.beside_s;
-    let beside =
-        Beside { stability: found.stability.as_ref(), branch: found.branch.as_ref(), stations: &found.stations };
+    let beside = Beside {
+        stability: found.stability.as_ref(),
+        branch: found.branch.as_ref(),
+        stations: &found.stations,
+        events: &found.events,
+    };
     let mut text = text_summary::peel::peel(scene, &found.peel, beside, found.seconds, wanted);
     if let Some(test) = &found.test {
-        text += &format!("\n{}", text_summary::observed::observed(test, test_s, wanted));
+        text += &format!("\n{}", text_summary::observed::observed(test, &scene.looked_for(), test_s, wanted));
     }
     if let Some(exponents) = &found.exponents {
         let text_of = text_summary::sensitivities::sensitivities(&exponents.found, &exponents.keys, &exponents.refused);

@@ -41,6 +41,7 @@ pub use number::{Finite, to_json};
 pub use outputs::outputs;
 pub use pictures::fit::draw_fit;
 pub use pictures::followed::draw_followed;
+pub use pictures::marked::Marked;
 pub use pictures::observed::draw_observed;
 pub use pictures::optimisation::draw_optimum;
 pub use pictures::peel::{curve_svg, draw_peel, draw_peel_with_branch};
@@ -51,7 +52,7 @@ pub use pictures::tip::draw_tip_law;
 pub use pictures::uncertainty::draw_uncertainty;
 pub use rate::curve::{rate_columns, write_rate_curve};
 pub use rate::picture::draw_rate;
-pub use rate::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
+pub use rate::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak, StationAtRate};
 pub use rate::summary::{RateFound, RateSummary};
 pub use rate::sweep::{RateResult, RateRow, draw_swept_rates, write_swept_rates};
 pub use record::{Bounded, Cell, Content, Fields, Object, Record, columns_of, write_table};
@@ -59,6 +60,7 @@ pub use records::fit::{FitReport, FitSummary, write_fit};
 pub use records::model::{ground_warning, why_kept};
 pub use records::observed::{ObservedSummary, write_observed};
 pub use records::optimisation::{OptimisationSummary, Optimised, write_history};
+pub use records::passed::{PassedAt, write_passed};
 pub use records::path::{
     GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points, write_stations,
 };

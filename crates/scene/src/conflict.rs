@@ -5,7 +5,7 @@ use crate::key::kind::{Key, Kind, Need};
 use crate::keys::KEYS;
 use crate::scene::Scene;
 use crate::studies::{fit, optimise, uncertainty};
-use crate::tables::{rate, seta, solid};
+use crate::tables::{measured, rate, seta, solid};
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -47,8 +47,10 @@ impl Conflict {
             let of_law = of_law.and_then(|name| KEYS.iter().find(|key| key.table == ADHESION && key.name == name));
             return Some(Self::missing(of_law.unwrap_or(key), given, scene));
         }
-        if let Some((key, problem)) =
-            seta::problem(scene).or_else(|| rate::problem(scene)).or_else(|| solid::problem(scene))
+        if let Some((key, problem)) = seta::problem(scene)
+            .or_else(|| rate::problem(scene))
+            .or_else(|| solid::problem(scene))
+            .or_else(|| measured::problem(scene))
         {
             return Some(Self { key, problem, missing: None });
         }

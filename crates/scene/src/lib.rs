@@ -37,7 +37,8 @@ pub use scene::studies::{
 pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
 pub use studies::parameters::Parameters;
-pub use tables::output::station;
+pub use tables::measured::problem as refused_quantity;
+pub use tables::output::{event, station};
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};

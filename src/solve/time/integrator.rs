@@ -106,6 +106,19 @@ struct Point {
     /// Powers of the grip and of the dashpots
     power: [f64; 2],
     monitors: [f64; MONITORS],
+    /// Up to there
+    balance: EnergyBalance,
+}
+
+/// A motion inside a step that was taken.
+#[derive(Clone, Debug)]
+pub struct Inside {
+    /// There
+    pub motion: Motion,
+    /// Numbers of the system there
+    pub monitors: [f64; MONITORS],
+    /// Energies there, and what went in and out
+    pub balance: EnergyBalance,
 }
 
 /// Follows the motion of a problem under a drive.
@@ -160,7 +173,7 @@ impl<'a> TimeIntegrator<'a> {
             ws,
         };
         let power = [integrator.grip_power(&start), 0.0];
-        integrator.points.push_front(Point { motion: start, step: 0.0, power, monitors: energy.monitors });
+        integrator.points.push_front(Point { motion: start, step: 0.0, power, monitors: energy.monitors, balance });
         integrator
     }
 
@@ -186,7 +199,17 @@ impl<'a> TimeIntegrator<'a> {
 
     /// How far what moves the grip is along the drive.
     pub fn displacement(&self) -> f64 {
-        self.problem.problem.displacement(&self.motion().at)
+        self.displacement_of(&self.motion().at)
+    }
+
+    /// The same in a state.
+    pub fn displacement_of(&self, at: &State) -> f64 {
+        self.problem.problem.displacement(at)
+    }
+
+    /// Where the last step began; where no step was taken, where it is.
+    pub fn before(&self) -> &State {
+        &self.points[usize::from(self.points.len() > 1)].motion.at
     }
 
     /// When the monitor of the options passed its level for the first time.
@@ -245,6 +268,24 @@ impl<'a> TimeIntegrator<'a> {
                 return Err(refused);
             }
         }
+    }
+
+    /// The motion at a share of the last step, by a step of its own from where that began: what is followed does not change by it.
+    ///
+    /// # Errors
+    /// That step failed, or none was taken.
+    pub fn inside(&mut self, share: f64) -> Result<Inside, SolveError> {
+        let before = (self.iterations, self.tried);
+        let Some(newest) = self.points.pop_front() else { return Err(SolveError::SingularGrip) };
+        let tried =
+            if self.points.is_empty() { Err(SolveError::SingularGrip) } else { self.attempt(share * newest.step) };
+        let inside = tried.map(|(taken, _, rate)| {
+            let (balance, _, monitors) = self.ended(&taken.motion, share * newest.step, &rate);
+            Inside { motion: taken.motion, monitors, balance }
+        });
+        self.points.push_front(newest);
+        (self.iterations, self.tried) = before;
+        inside
     }
 
     /// The next step, which a step that was cut at the end asked for does not shorten.
@@ -345,30 +386,39 @@ impl<'a> TimeIntegrator<'a> {
     }
 
     fn accept(&mut self, taken: Taken, h: f64, rate: &MaterialRate) {
-        let (system, motion) = (&self.problem.system, taken.motion);
-        let evaluation = system.evaluate(&motion.at, &vec![0.0; system.unknowns(&motion.at)]).0;
-        let viscous = system.viscous_power(&motion.at, rate);
-        let power = [self.grip_power(&motion), viscous.dissipated];
+        let motion = taken.motion;
+        let (balance, power, monitors) = self.ended(&motion, h, rate);
+        self.balance = balance;
         let now = &self.points[0];
-        let older = self.points.get(1).map(|older| (now.step, older.power));
-        let gone = |k: usize| integral(h, [power[k], now.power[k]], older.map(|(length, power)| (length, power[k])));
-        let stored = system.stored_energy(&motion.at);
-        self.balance = EnergyBalance {
-            work: self.balance.work + gone(0),
-            stored: stored + viscous.stored,
-            adhesion: evaluation.energy - stored,
-            spring: 0.5 * self.problem.problem.grip.compliance * motion.at.force.powi(2),
-            kinetic: system.kinetic_energy(&motion.at, &self.masses, &motion.velocity),
-            dissipated: self.balance.dissipated + gone(1),
-        };
         if let Some(Crossing { monitor, level, within }) = self.options.crossing {
-            let (from, to) = (now.monitors[monitor] - level, evaluation.monitors[monitor] - level);
+            let (from, to) = (now.monitors[monitor] - level, monitors[monitor] - level);
             if self.crossed.is_none() && (from * to <= 0.0 || to.abs() <= within) {
                 self.crossed = Some(motion.time);
             }
         }
-        self.points.push_front(Point { motion, step: h, power, monitors: evaluation.monitors });
+        self.points.push_front(Point { motion, step: h, power, monitors, balance });
         self.points.truncate(KEPT);
+    }
+
+    /// Energies, powers and monitors at the end of a step of this length from the newest point.
+    fn ended(&self, motion: &Motion, h: f64, rate: &MaterialRate) -> (EnergyBalance, [f64; 2], [f64; MONITORS]) {
+        let system = &self.problem.system;
+        let evaluation = system.evaluate(&motion.at, &vec![0.0; system.unknowns(&motion.at)]).0;
+        let viscous = system.viscous_power(&motion.at, rate);
+        let power = [self.grip_power(motion), viscous.dissipated];
+        let now = &self.points[0];
+        let older = self.points.get(1).map(|older| (now.step, older.power));
+        let gone = |k: usize| integral(h, [power[k], now.power[k]], older.map(|(length, power)| (length, power[k])));
+        let stored = system.stored_energy(&motion.at);
+        let balance = EnergyBalance {
+            work: now.balance.work + gone(0),
+            stored: stored + viscous.stored,
+            adhesion: evaluation.energy - stored,
+            spring: 0.5 * self.problem.problem.grip.compliance * motion.at.force.powi(2),
+            kinetic: system.kinetic_energy(&motion.at, &self.masses, &motion.velocity),
+            dissipated: now.balance.dissipated + gone(1),
+        };
+        (balance, power, evaluation.monitors)
     }
 
     /// Power of what moves the grip.

@@ -1,5 +1,6 @@
 //! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
 
+use super::events::{EventAction, EventAt};
 use crate::solve::workspace::ShouldStop;
 use crate::units::length_text;
 use serde::{Deserialize, Serialize};
@@ -62,6 +63,10 @@ pub struct StopCriteria {
     pub displacement: Option<f64>,
     /// As far as what it is followed; of a limit point behind that nothing is known.
     pub until: FollowedUntil,
+    /// Stations and events of the user that are looked for on the way. One whose action is [`EventAction::Stop`] ends a path where it lies; the
+    /// others are located besides, and leave every point as it is. Those of a [`crate::study::Peel`] are read from it:
+    /// [`crate::study::Peel::events`].
+    pub events: Vec<EventAt>,
     /// What only the caller knows: the time, an interruption. Nothing when absent.
     pub should_stop: Option<StopCheck>,
     /// How much work a path may take that is lost
@@ -82,7 +87,7 @@ pub enum Patience {
 const MOST_POINTS: usize = 20_000;
 
 /// The criterion that was met.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs)] // the text of each names its fields
 pub enum Bound {
     /// [`StopCriteria::points`]
@@ -91,6 +96,8 @@ pub enum Bound {
     Displacement(f64),
     /// [`StopCriteria::until`]
     Until(FollowedUntil),
+    /// An event of [`StopCriteria::events`], by its name
+    Event { name: String },
     /// [`StopReason::Time`], s
     Time { seconds: f64 },
     /// [`StopReason::Interrupted`]
@@ -104,6 +111,7 @@ impl fmt::Display for Bound {
             Self::Points(most) => write!(f, "bounds.points = {most}"),
             Self::Displacement(most) => write!(f, "bounds.displacement = {}", length_text(*most)),
             Self::Until(until) => write!(f, "path.until = \"{}\"", until.name()),
+            Self::Event { name } => write!(f, "the event \"{name}\""),
             Self::Time { seconds } => write!(f, "bounds.time = {seconds} s"),
             Self::Interrupted => f.write_str("interrupted"),
         }
@@ -138,7 +146,14 @@ impl StopCriteria {
     }
 
     const fn within(points: usize, displacement: Option<f64>) -> Self {
-        Self { points, displacement, until: FollowedUntil::End, should_stop: None, patience: Patience::Usual }
+        Self {
+            points,
+            displacement,
+            until: FollowedUntil::End,
+            events: Vec::new(),
+            should_stop: None,
+            patience: Patience::Usual,
+        }
     }
 
     /// The same with another check, which is asked where those before say nothing.
@@ -149,6 +164,11 @@ impl StopCriteria {
             None => Arc::new(check),
         };
         Self { should_stop: Some(should_stop), ..self }
+    }
+
+    /// The events that end a path.
+    pub(in crate::study) fn ending(&self) -> impl Iterator<Item = &EventAt> {
+        self.events.iter().filter(|event| event.action == EventAction::Stop)
     }
 
     /// What the caller says at a stage.
@@ -170,11 +190,12 @@ impl StopCriteria {
 
 impl fmt::Debug for StopCriteria {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { points, displacement, until, should_stop, patience } = self;
+        let Self { points, displacement, until, events, should_stop, patience } = self;
         f.debug_struct("StopCriteria")
             .field("points", points)
             .field("displacement", displacement)
             .field("until", until)
+            .field("events", events)
             .field("should_stop", &should_stop.is_some())
             .field("patience", patience)
             .finish()

@@ -12,8 +12,9 @@ use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;
 use crate::study::asked::stop_criteria::{Bound, StopCriteria};
 use crate::study::seta::loading::{SetaLoading, SetaOptions, SetaStart};
-use crate::study::seta::result::{EventCause, SetaEnd, SetaFailure, SetaPoint, SetaPullOff};
+use crate::study::seta::result::{EventCause, SetaEnd, SetaFailure, SetaPullOff};
 use crate::study::seta::run::pull_off_from;
+use crate::study::seta::standing::SetaPoint;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -117,7 +118,7 @@ impl RootPath {
         let Some(event) = pulled.events.first() else {
             return Err(match &pulled.end {
                 SetaEnd::Failed(failure) => SetaLawError::Failed(failure.clone()),
-                SetaEnd::Bound(bound) => SetaLawError::Stopped(*bound),
+                SetaEnd::Bound(bound) => SetaLawError::Stopped(bound.clone()),
                 SetaEnd::Completed => {
                     SetaLawError::NoLoss { displacement: pulled.points.last().map_or(0.0, |last| last.displacement) }
                 }

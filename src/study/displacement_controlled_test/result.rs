@@ -3,6 +3,7 @@
 use super::stable_branch::{Balance, LeftModel, LoadingDirection, TestFailure};
 use crate::study::asked::stop_criteria::Bound;
 use crate::study::peel::contact::Adhering;
+use crate::study::states::locator::StationErrors;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -25,6 +26,19 @@ pub struct TestPoint {
     pub adheres: Adhering,
     /// Whether the strip has jumped here from the point before.
     pub jumped: bool,
+}
+
+/// A station of a test, or where an event of the user lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TestStation {
+    /// Which one of [`crate::study::StopCriteria::events`]
+    pub event: usize,
+    /// The equilibrium; where the strip jumps past the value, that in which it comes to rest
+    pub point: TestPoint,
+    /// Distance of the nearer edge of the section at the free end from the ground, nm
+    pub free_end_gap: f64,
+    /// Bounds on the errors of these numbers: of the grip, not of the machine; none behind a jump
+    pub errors: Option<StationErrors>,
 }
 
 /// An equilibrium on one side of a jump.
@@ -151,6 +165,8 @@ pub struct Observed {
     pub points: Vec<TestPoint>,
     /// In the same order
     pub jumps: Vec<Jump>,
+    /// Stations and events of the user, likewise
+    pub stations: Vec<TestStation>,
     /// (U, P) between the jumps, close enough to draw, piece by piece.
     pub pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     /// The largest force on the stable retreat.

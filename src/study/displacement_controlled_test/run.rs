@@ -2,7 +2,8 @@
 //! where the errors of the jumps say so.
 
 use super::jump;
-use super::result::{Elsewhere, Jump, Observed, PullOff, TestEffort, TestEnd, TestPoint};
+use super::looked_over::Passed;
+use super::result::{Elsewhere, Jump, Observed, PullOff, TestEffort, TestEnd, TestPoint, TestStation};
 use super::stable_branch::{
     Balance, BranchEnd, LeftModel, LoadingDirection, MOST_JUMPS, Machine, ModelLimit, StableBranch, TestError,
     TestFailure, Until,
@@ -14,6 +15,7 @@ use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::{Discretisation, FineEnds};
 use crate::solve::newton::Solution;
 use crate::solve::path::options::PathOptions;
+use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::Located;
 use crate::solve::problem::{EndConditions, MeasuredBeside};
 use crate::solve::relax::{Held, RelaxOptions, disturbed, disturbed_anyhow, relax};
@@ -21,10 +23,13 @@ use crate::solve::state::State;
 use crate::solve::workspace::{Pace, Workspace};
 use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
 use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
-use crate::study::asked::stop_criteria::{Stage, StopCriteria};
+use crate::study::asked::events::EventAction;
+use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
 use crate::study::peel::contact::Adhering;
+use crate::study::peel::step_dependence::StepCurve;
+use crate::study::states::measured::Measure;
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.
@@ -69,6 +74,7 @@ pub(super) fn run(model: &PeelModel, course: Course, accuracy: &Accuracy, stop: 
         match problem(model, &how) {
             Ok(problem) => {
                 let machine = Machine {
+                    model,
                     problem: &problem,
                     options: PathOptions { pace: how.pace, ..resolution.path_options(model, accuracy.relative) },
                     stop,
@@ -187,6 +193,7 @@ struct Test {
     course: Course,
     points: Vec<TestPoint>,
     jumps: Vec<Jump>,
+    stations: Vec<TestStation>,
     pieces: Vec<(LoadingDirection, Vec<(f64, f64)>)>,
     pull_off: Option<PullOff>,
     /// As of [`Observed`], and whether the beam has stood on its end.
@@ -211,6 +218,7 @@ impl Test {
             course,
             points: Vec::new(),
             jumps: Vec::new(),
+            stations: Vec::new(),
             pieces: Vec::new(),
             pull_off: None,
             before_upright: None,
@@ -266,7 +274,9 @@ impl Test {
         let mut at = start;
         for _ in 0..=MOST_JUMPS {
             let leg = machine.follow(at, way == LoadingDirection::Retreat, until, self.points.len())?;
+            let (leg, found) = machine.looked_over(leg, way)?;
             let last = leg.points[leg.points.len() - 1].clone();
+            self.take_stations(machine, found, &leg, way);
             self.take(machine, &leg, way);
             if way == LoadingDirection::Retreat {
                 self.take_peak(machine, &leg)?;
@@ -296,6 +306,10 @@ impl Test {
             };
             if way == LoadingDirection::Retreat {
                 self.notice_stand(machine, &landed, self.pull_off);
+            }
+            if let Some(stopped) = self.look_at_jump(machine, &located.solution, &landed, way) {
+                self.point(machine, &landed, way, self.work);
+                return Ok((landed, Some(TestEnd::Bound(stopped))));
             }
             let off = || way == LoadingDirection::Retreat && machine.problem.beam.is_clear(&landed.at, machine.far);
             if self.is_over() || off() {
@@ -368,17 +382,42 @@ impl Test {
     }
 
     fn point(&mut self, machine: &Machine, solution: &Solution, way: LoadingDirection, work: f64) {
-        let (problem, o) = (machine.problem, &solution.observables);
-        self.points.push(TestPoint {
-            way,
-            machine: o.displacement,
-            displacement: o.displacement - problem.grip.compliance * o.force,
-            force: o.force,
-            work,
-            front: o.monitors[FRONT],
-            adheres: machine.adhering(solution),
-            jumped: std::mem::take(&mut self.jumped),
-        });
+        let jumped = std::mem::take(&mut self.jumped);
+        self.points.push(TestPoint { jumped, ..machine.point(solution, way, work) });
+    }
+
+    /// Stations and events that were found on a piece, before the piece itself is taken.
+    fn take_stations(&mut self, machine: &Machine, found: Vec<Passed>, leg: &StableBranch, way: LoadingDirection) {
+        for Passed { event, after, solution, errors } in found {
+            let segment = PathSegment::around(machine.problem, &leg.points, after);
+            let label = segment.label(&solution.observables);
+            let ahead = StepCurve::until(machine.problem, &segment, label, &solution, &mut Workspace::default());
+            let work = self.work + leg.works[after] + ahead.work();
+            let (point, free_end_gap) = (machine.point(&solution, way, work), machine.free_end_gap(&solution));
+            self.stations.push(TestStation { event, point, free_end_gap, errors });
+        }
+    }
+
+    /// The same where the strip has jumped, at one displacement of the machine; the event that stops the test, if one does.
+    fn look_at_jump(
+        &mut self,
+        machine: &Machine,
+        before: &Solution,
+        landed: &Solution,
+        way: LoadingDirection,
+    ) -> Option<Bound> {
+        for (event, at) in machine.stop.events.iter().enumerate() {
+            let measure = Measure::new(machine.model, machine.problem, at.quantity.clone());
+            if !self.jumped || !at.passes(measure.at(before), measure.at(landed)) {
+                continue;
+            }
+            let point = TestPoint { jumped: true, ..machine.point(landed, way, self.work) };
+            self.stations.push(TestStation { event, point, free_end_gap: machine.free_end_gap(landed), errors: None });
+            if at.action == EventAction::Stop {
+                return Some(Bound::Event { name: at.name.clone() });
+            }
+        }
+        None
     }
 
     /// Relaxes from where stability is lost; where it comes to rest. A path that branches may go on without a jump.
@@ -494,7 +533,20 @@ impl Test {
         let failed = |cause| TestEnd::Failed(TestFailure { cause, elements, order, asked: relative });
         let end = self.end.unwrap_or_else(failed);
         let hysteresis = self.cycle.filter(|_| end == TestEnd::Closed).map(|cycle| cycle.work);
-        let Self { points, jumps, pieces, pull_off, before_upright, retreat, cycle, effort, .. } = self;
-        Observed { points, jumps, pieces, pull_off, before_upright, hysteresis, retreat, cycle, end, effort, reached }
+        let Self { points, jumps, stations, pieces, pull_off, before_upright, retreat, cycle, effort, .. } = self;
+        Observed {
+            points,
+            jumps,
+            stations,
+            pieces,
+            pull_off,
+            before_upright,
+            hysteresis,
+            retreat,
+            cycle,
+            end,
+            effort,
+            reached,
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::beam::planar::model_end::CollapsedSection;
 use crate::beam::planar::model_limits::BondedLoss;
+use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::{Beam, BeamProblem};
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
@@ -51,6 +52,7 @@ pub(super) struct StableBranch {
 
 /// What a piece is followed under.
 pub(super) struct Machine<'a> {
+    pub model: &'a PeelModel,
     pub problem: &'a BeamProblem,
     pub options: PathOptions,
     pub stop: &'a StopCriteria,
@@ -225,6 +227,16 @@ impl Machine<'_> {
         leg
     }
 
+    /// The part of a piece up to an equilibrium on the step behind a point.
+    pub fn cut(&self, leg: &StableBranch, after: usize, last: Arc<Solution>, end: BranchEnd) -> StableBranch {
+        let mut segment = PathSegment::around(self.problem, &leg.points, after);
+        let label = segment.insert(last.clone());
+        let mut cut = self.leg(&leg.points[..=after], end, leg.iterations);
+        cut.add(&StepCurve::pieces(self.problem, &segment, label, &last, &mut Workspace::default()));
+        cut.points.push(last);
+        cut
+    }
+
     fn leg(&self, points: &[Arc<Solution>], end: BranchEnd, iterations: usize) -> StableBranch {
         let first = points.first().map(|p| (p.observables.displacement, p.observables.force));
         let curve = first.into_iter().collect();
@@ -354,6 +366,9 @@ pub enum BranchError {
     /// Its largest force.
     #[error("the largest force on the stable branch near U = {machine_nm:.6} nm was not located: {cause}")]
     NoPeak { machine_nm: f64, cause: SolveError },
+    /// A station or an event of the user.
+    #[error("the event \"{name}\" near U = {machine_nm:.6} nm was not located: {cause}")]
+    NoEvent { name: String, machine_nm: f64, cause: SolveError },
     /// Its last point.
     #[error("the last point, at U = {machine_nm:.6} nm, was not found: {cause}")]
     NotArrived { machine_nm: f64, cause: SolveError },

@@ -3,15 +3,19 @@
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
 use crate::model::problem::motion::{MovingBeam, MovingMaterial, NotInTime};
-use crate::solve::error::SolveError;
+use crate::number::root;
+use crate::solve::error::{Quantity, SolveError};
 use crate::solve::newton::{NewtonOptions, settle};
 use crate::solve::path::options::controlled;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::time::drive::{Drive, Ramp};
 use crate::solve::time::dynamic_system::EnergyBalance;
-use crate::solve::time::integrator::{Crossing, StepControl, TimeError, TimeIntegrator, TimeOptions};
+use crate::solve::time::integrator::{Crossing, Inside, StepControl, TimeError, TimeIntegrator, TimeOptions};
 use crate::solve::time::rule::Motion;
 use crate::solve::workspace::{ShouldStop, Workspace};
+use crate::study::asked::events::{EventAction, EventAt, EventQuantity, StationQuantity};
+use crate::study::asked::stop_criteria::{Bound, StopCriteria};
+use crate::study::states::fields::Reader;
 
 /// A beam adheres no more where its front is shorter than this many process lengths; the time of that is found to this share of it.
 const LOOSE: f64 = 1.0;
@@ -39,6 +43,8 @@ pub struct PullStart {
     pub displacement: f64,
     /// On how much of the way the grip accelerates where nothing else is said, nm
     pub accelerates: f64,
+    /// Of which it was made
+    pub model: PeelModel,
 }
 
 /// Pulls a strip or a spatula at a rate, from equilibrium on.
@@ -54,7 +60,24 @@ pub fn pull_in_time(
 ) -> Result<PullInTime, InTimeFailure> {
     let failed = |why| InTimeFailure { why, reached: None };
     let start = pull_start(model, material, pull.from, accuracy).map_err(failed)?;
-    pull_in_time_from(&start, pull, accuracy, should_stop)
+    pull_in_time_from(&start, pull, accuracy, &[], should_stop)
+}
+
+/// The same with stations and events of the user, which are located to round-off inside of steps; one that stops ends the pull where it lies. Of
+/// the stop criteria these are heeded, and what the caller says.
+///
+/// # Errors
+/// As of [`pull_in_time`]; an event whose quantity is no number.
+pub fn pull_in_time_with(
+    model: &PeelModel,
+    material: &MovingMaterial,
+    pull: &PullRate,
+    accuracy: &TimeAccuracy,
+    stop: &StopCriteria,
+) -> Result<PullInTime, InTimeFailure> {
+    let failed = |why| InTimeFailure { why, reached: None };
+    let start = pull_start(model, material, pull.from, accuracy).map_err(failed)?;
+    pull_in_time_from(&start, pull, accuracy, &stop.events, stop.while_followed())
 }
 
 /// The equilibrium at a displacement, on a fixed mesh.
@@ -86,7 +109,7 @@ pub fn pull_start(
         let found = controlled(&beam.statics, rest.at, Observables::DISPLACEMENT, &[displacement], AT_START);
         found.map_err(no_start)?.swap_remove(0).at
     };
-    Ok(PullStart { beam, at, displacement, accelerates: ACCELERATES * model.first_way() })
+    Ok(PullStart { beam, at, displacement, accelerates: ACCELERATES * model.first_way(), model: model.clone() })
 }
 
 /// Pulls from an equilibrium that is known; it need not be the one at `pull.from`, which is taken from there.
@@ -97,6 +120,7 @@ pub fn pull_in_time_from(
     start: &PullStart,
     pull: &PullRate,
     accuracy: &TimeAccuracy,
+    events: &[EventAt],
     should_stop: Option<ShouldStop>,
 ) -> Result<PullInTime, InTimeFailure> {
     let pull = &PullRate { from: start.displacement, ..*pull };
@@ -123,12 +147,15 @@ pub fn pull_in_time_from(
         TimeIntegrator::new(problem, Drive::ramp(ramp), motion, options, Workspace::until(should_stop));
     let mut pulled = PullInTime {
         points: vec![point(&integrator)],
+        stations: Vec::new(),
+        stopped: None,
         peak: None,
         contact_lost: None,
         elements: start.at.mesh.elements(),
         iterations: 0,
         tried: 0,
     };
+    let reader = Reader::new(&start.model, &start.beam.statics.beam);
     let mut went = Ok(());
     while went.is_ok() && integrator.motion().time < end {
         if pulled.points.len() > accuracy.most_steps {
@@ -139,6 +166,10 @@ pub fn pull_in_time_from(
         went = integrator.advance(end).map_err(InTimeFailureKind::from);
         if went.is_ok() {
             pulled.points.push(point(&integrator));
+            went = pulled.look(&mut integrator, events, &reader);
+        }
+        if pulled.stopped.is_some() {
+            break;
         }
         if pull.until == Until::ContactLost && integrator.crossed().is_some() {
             break;
@@ -161,6 +192,79 @@ fn point(integrator: &TimeIntegrator) -> InTimePoint {
         force: motion.at.force,
         front: integrator.monitors()[FRONT],
         balance: *integrator.balance(),
+    }
+}
+
+/// By how much an event is missed at most, over the largest value of its quantity on the step.
+const MET: f64 = 1e-10;
+
+impl PullInTime {
+    /// Looks for stations and events on the newest step; one that stops the pull takes the place of its end.
+    fn look(
+        &mut self,
+        integrator: &mut TimeIntegrator,
+        events: &[EventAt],
+        reader: &Reader,
+    ) -> Result<(), InTimeFailureKind> {
+        let [.., from, to] = self.points[..] else { return Ok(()) };
+        let failed = |cause| TimeError::Failed { time: from.time, step: to.time - from.time, cause };
+        let mut found: Vec<(f64, InTimeStation)> = Vec::new();
+        for (event, at) in events.iter().enumerate() {
+            let value = |point: &InTimePoint, state: &State| match &at.quantity {
+                EventQuantity::Named(StationQuantity::Time) => point.time,
+                EventQuantity::Named(StationQuantity::Displacement) => point.displacement,
+                EventQuantity::Named(StationQuantity::Force) => point.force,
+                EventQuantity::Named(StationQuantity::Front) => point.front,
+                EventQuantity::Named(StationQuantity::FreeEndGap) => reader.free_end_gap(state),
+                EventQuantity::OfBeam(of) => of(&reader.state(state, point.displacement)),
+                EventQuantity::Named(_) | EventQuantity::OfSeta(_) => f64::NAN,
+            };
+            let ends = [value(&from, integrator.before()), value(&to, &integrator.motion().at)];
+            let not_finite = || failed(SolveError::NotFiniteUpdate { quantity: Quantity::EventQuantity });
+            if ends.iter().any(|end| !end.is_finite()) {
+                return Err(not_finite().into());
+            }
+            if !at.passes(ends[0], ends[1]) {
+                continue;
+            }
+            let mut solve = |share: f64| {
+                let Inside { motion, monitors, balance } = integrator.inside(share)?;
+                let point = InTimePoint {
+                    time: motion.time,
+                    displacement: integrator.displacement_of(&motion.at),
+                    force: motion.at.force,
+                    front: monitors[FRONT],
+                    balance,
+                };
+                let free_end_gap = reader.free_end_gap(&motion.at);
+                let above = value(&point, &motion.at) - at.value;
+                Ok::<_, SolveError>((InTimeStation { event, point, free_end_gap, after: self.points.len() - 2 }, above))
+            };
+            let scale = MET * at.value.abs().max(ends[0].abs()).max(ends[1].abs());
+            let is_met = |above: f64, _, left: f64| above.abs() <= scale || left <= MET;
+            let [low, high] = [(0.0, ends[0] - at.value), (1.0, ends[1] - at.value)];
+            // where the step ends at it nothing is to be found
+            let at_end = if high.1.abs() <= scale { Some(1.0) } else { None };
+            let (station, place) = match at_end {
+                Some(share) => (solve(share).map_err(failed)?.0, share),
+                None => {
+                    let (station, passing) = root::passed(low, high, solve, is_met).map_err(failed)?;
+                    (station, passing.place)
+                }
+            };
+            found.push((place, station));
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, station) in found {
+            self.stations.push(station);
+            if events[station.event].action == EventAction::Stop {
+                self.points.pop();
+                self.points.push(station.point);
+                self.stopped = Some(Bound::Event { name: events[station.event].name.clone() });
+                break;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -200,6 +304,19 @@ pub struct InTimePoint {
     pub balance: EnergyBalance,
 }
 
+/// A station of a pull in time, or where an event of the user lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InTimeStation {
+    /// Which one of [`StopCriteria::events`]
+    pub event: usize,
+    /// The beam there: by a step of its own from the step before
+    pub point: InTimePoint,
+    /// Distance of the nearer edge of the section at the free end from the ground, nm
+    pub free_end_gap: f64,
+    /// It lies behind this one of the points
+    pub after: usize,
+}
+
 /// The largest force of the pull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InTimePeak {
@@ -216,6 +333,10 @@ pub struct InTimePeak {
 pub struct PullInTime {
     /// Every step, from rest on
     pub points: Vec<InTimePoint>,
+    /// Stations and events of the user, in time
+    pub stations: Vec<InTimeStation>,
+    /// The event that stopped it, if one has
+    pub stopped: Option<Bound>,
     /// The largest force, by a parabola through the three points next to it; none where the force is largest at an end
     pub peak: Option<InTimePeak>,
     /// When nothing adhered any more for the first time, ns

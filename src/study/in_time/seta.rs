@@ -6,21 +6,25 @@
 //! enough. A seta with mass never jumps: its joints go on with the velocities that they have, and are accelerated by the force that is gone.
 
 use super::pull::InTimeFailureKind;
+use super::tip_losses::{event_within, softest};
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::beam_tree::BeamTree;
 use crate::model::problem::motion::{KG_PER_CUBIC_METRE, MovingMaterial, NotInTime};
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;
-use crate::solve::error::SolveError;
+use crate::number::root;
+use crate::solve::error::{Quantity, SolveError};
 use crate::solve::state::State;
 use crate::solve::system::System;
 use crate::solve::time::drive::{Drive, Ramp};
 use crate::solve::time::dynamic_system::{DynamicProblem, DynamicSystem, EnergyBalance};
-use crate::solve::time::integrator::{StepControl, TimeError, TimeIntegrator, TimeOptions};
+use crate::solve::time::integrator::{Inside, StepControl, TimeError, TimeIntegrator, TimeOptions};
 use crate::solve::time::rule::Motion;
 use crate::solve::workspace::{ShouldStop, Workspace};
-use crate::study::seta::rest::{Rested, come_to_rest, share_of_change};
+use crate::study::asked::events::{EventAction, EventAt, StationQuantity};
+use crate::study::asked::stop_criteria::{Bound, StopCriteria};
+use crate::study::seta::rest::{Rested, come_to_rest};
 use crate::study::seta::result::TipChange;
 use crate::study::seta::standing::{RootDrive, Standing, TipTangent};
 use std::sync::Arc;
@@ -43,8 +47,27 @@ pub fn pull_seta_in_time(
     accuracy: &SetaTimeAccuracy,
     should_stop: Option<ShouldStop>,
 ) -> Result<SetaInTime, SetaInTimeFailure> {
-    let mut run = Run::new(model, material, pull, accuracy, should_stop)
-        .map_err(|why| SetaInTimeFailure { why, reached: None })?;
+    followed(Run::new(model, material, pull, accuracy, should_stop))
+}
+
+/// The same with stations and events of the user, which are located to round-off inside of steps, or at the jump that passes them; one that stops
+/// ends the pull where it lies. Of the stop criteria these are heeded, and what the caller says.
+///
+/// # Errors
+/// As of [`pull_seta_in_time`]; an event whose quantity is no number.
+pub fn pull_seta_in_time_with(
+    model: &SetaModel,
+    material: &MovingMaterial,
+    pull: &SetaPullRate,
+    accuracy: &SetaTimeAccuracy,
+    stop: &StopCriteria,
+) -> Result<SetaInTime, SetaInTimeFailure> {
+    let run = Run::new(model, material, pull, accuracy, stop.while_followed());
+    followed(run.map(|run| Run { events: &stop.events, ..run }))
+}
+
+fn followed(run: Result<Run, SetaInTimeFailureKind>) -> Result<SetaInTime, SetaInTimeFailure> {
+    let mut run = run.map_err(|why| SetaInTimeFailure { why, reached: None })?;
     match run.go() {
         Ok(()) => Ok(run.result),
         Err(why) => Err(SetaInTimeFailure { why, reached: Some(Box::new(run.result)) }),
@@ -52,6 +75,7 @@ pub fn pull_seta_in_time(
 }
 
 struct Run<'a> {
+    events: &'a [EventAt],
     standing: Standing,
     drive: RootDrive,
     ramp: Ramp,
@@ -95,6 +119,7 @@ impl<'a> Run<'a> {
         let memory = standing.tree.relaxed_memory(&at);
         let (ramp, before, elements) = (pull.ramp(), at.clone(), standing.tree.elements());
         let mut run = Self {
+            events: &[],
             standing,
             drive,
             ramp,
@@ -115,7 +140,7 @@ impl<'a> Run<'a> {
     }
 
     fn go(&mut self) -> Result<(), SetaInTimeFailureKind> {
-        while self.standing.attached() > 0 && self.motion.time < self.ramp.end() {
+        while self.result.stopped.is_none() && self.standing.attached() > 0 && self.motion.time < self.ramp.end() {
             match self.stretch() {
                 Ok(tips) if tips.is_empty() => {}
                 Ok(tips) => self.event(TipLoss::EndOfBranch, &tips)?,
@@ -168,6 +193,10 @@ impl<'a> Run<'a> {
                 EnergyBalance { work: known.work + own.work, dissipated: known.dissipated + own.dissipated, ..own };
             let point = self.point(&self.motion, self.so_far);
             self.result.points.push(point);
+            self.look(&mut integrator, known)?;
+            if self.result.stopped.is_some() {
+                return Ok(Vec::new());
+            }
             let tips = self.standing.changing(&self.motion.at);
             if !tips.is_empty() || self.motion.time >= end {
                 return Ok(tips);
@@ -195,7 +224,64 @@ impl<'a> Run<'a> {
         let after = self.point(&self.motion, self.so_far);
         self.result.points.push(after);
         self.result.events.push(SetaInTimeEvent { before, after, loss, tips: changes, released });
+        self.look_at_jump(&before, &after);
         Ok(())
+    }
+
+    /// Looks for stations and events on the newest step; one that stops the pull takes the place of its end.
+    fn look(&mut self, integrator: &mut TimeIntegrator, known: EnergyBalance) -> Result<(), SetaInTimeFailureKind> {
+        let [.., from, to] = self.result.points[..] else { return Ok(()) };
+        let failed = |cause| TimeError::Failed { time: from.time, step: to.time - from.time, cause };
+        let mut found: Vec<(f64, SetaInTimeStation)> = Vec::new();
+        for (event, at) in self.events.iter().enumerate() {
+            let ends = [value(at, &from), value(at, &to)];
+            if ends.iter().any(|end| !end.is_finite()) {
+                return Err(failed(SolveError::NotFiniteUpdate { quantity: Quantity::EventQuantity }).into());
+            }
+            if !at.passes(ends[0], ends[1]) {
+                continue;
+            }
+            let after = self.result.points.len() - 2;
+            let solve = |share: f64| {
+                let Inside { motion, balance: own, .. } = integrator.inside(share)?;
+                let balance =
+                    EnergyBalance { work: known.work + own.work, dissipated: known.dissipated + own.dissipated, ..own };
+                let point = self.point(&motion, balance);
+                let above = value(at, &point) - at.value;
+                Ok::<_, SolveError>((SetaInTimeStation { event, point, jumped: false, after }, above))
+            };
+            let scale = MET * at.value.abs().max(ends[0].abs()).max(ends[1].abs());
+            let is_met = |above: f64, _, left: f64| above.abs() <= scale || left <= MET;
+            let [low, high] = [(0.0, ends[0] - at.value), (1.0, ends[1] - at.value)];
+            let (station, passing) = root::passed(low, high, solve, is_met).map_err(failed)?;
+            found.push((passing.place, station));
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, station) in found {
+            self.result.stations.push(station);
+            let at = &self.events[station.event];
+            if at.action == EventAction::Stop {
+                self.result.points.pop();
+                self.result.points.push(station.point);
+                self.result.stopped = Some(Bound::Event { name: at.name.clone() });
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// The same where tips leave the branch of their law, at one time.
+    fn look_at_jump(&mut self, before: &SetaInTimePoint, point: &SetaInTimePoint) {
+        let after = self.result.points.len() - 2;
+        for (event, at) in self.events.iter().enumerate() {
+            if at.passes(value(at, before), value(at, point)) {
+                self.result.stations.push(SetaInTimeStation { event, point: *point, jumped: true, after });
+                if at.action == EventAction::Stop {
+                    self.result.stopped = Some(Bound::Event { name: at.name.clone() });
+                    break;
+                }
+            }
+        }
     }
 
     /// The tree as it answers a jump; none where it does not jump, but stays in its place.
@@ -291,6 +377,20 @@ impl<'a> Run<'a> {
     }
 }
 
+/// By how much an event is missed at most, over the largest value of its quantity on the step.
+const MET: f64 = 1e-10;
+
+/// What passes a value in an event, of a seta at one time; no number where it is none of its quantities.
+fn value(at: &EventAt, point: &SetaInTimePoint) -> f64 {
+    match at.quantity.named() {
+        Some(StationQuantity::Time) => point.time,
+        Some(StationQuantity::Displacement) => point.displacement,
+        Some(StationQuantity::Force) => point.force,
+        Some(StationQuantity::Attached) => point.attached as f64,
+        _ => f64::NAN,
+    }
+}
+
 // -- What a pull of a seta in time gives --
 
 /// The seta at one time.
@@ -336,11 +436,28 @@ pub struct SetaInTimeEvent {
     pub released: f64,
 }
 
+/// A station of a pull of a seta in time, or where an event of the user lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SetaInTimeStation {
+    /// Which one of [`StopCriteria::events`]
+    pub event: usize,
+    /// The seta there: by a step of its own from the step before, or behind the jump that passes the value
+    pub point: SetaInTimePoint,
+    /// Whether the quantity jumps past the value
+    pub jumped: bool,
+    /// It lies behind this one of the points
+    pub after: usize,
+}
+
 /// A pull of a seta in time.
 #[derive(Clone, Debug, Default)]
 pub struct SetaInTime {
     /// Every step, from rest on; an event is followed by another point at the same time where it changes the energies.
     pub points: Vec<SetaInTimePoint>,
+    /// Stations and events of the user, in time
+    pub stations: Vec<SetaInTimeStation>,
+    /// The event that stopped it, if one has
+    pub stopped: Option<Bound>,
     /// In their order
     pub events: Vec<SetaInTimeEvent>,
     /// Elements of the tree
@@ -467,42 +584,4 @@ pub(in crate::study) fn check(pull: &SetaPullRate, accuracy: &SetaTimeAccuracy) 
         Some((what, value)) => Err(InTimeFailureKind::OutOfRange { what, value, wanted: "positive" }),
         None => Ok(()),
     }
-}
-
-// -- Where in a step a tip comes to the end of its branch, and which tips lose their hold where no step is short enough --
-
-/// Place of a tip along the normal
-const HEIGHT: usize = 1;
-/// A step that is cut ends so far behind the end of the branch, over how near to it it has to end.
-const BEHIND: f64 = 0.3;
-/// Tips that differ by this share are alike, by symmetry.
-const ALIKE: f64 = 1e-6;
-
-/// At which share of a step the first tip comes to the end of its branch; none where no tip does, or only within the distance `located`, nm, of where
-/// the step ends.
-pub(in crate::study) fn event_within(standing: &Standing, from: &State, to: &State, located: f64) -> Option<f64> {
-    let changing = standing.changing(to).into_iter();
-    let shares = changing.map(|tip| (share_of_change(standing, from, to, tip), travel(standing, from, to, tip)));
-    let (share, travel) = shares.min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let late = (1.0 - share) * travel > located;
-    late.then(|| share + BEHIND * located / travel)
-}
-
-/// How far a tip goes, nm.
-fn travel(standing: &Standing, from: &State, to: &State, tip: usize) -> f64 {
-    let (a, b) = (standing.place(from, tip).0, standing.place(to, tip).0);
-    (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
-}
-
-/// The tips that adhere, soften and go up the fastest, between two states, for how much they soften: those that lose their hold.
-pub(in crate::study) fn softest(standing: &Standing, from: &State, to: &State) -> Vec<usize> {
-    let softening = |tip: usize| {
-        let rise = standing.place(to, tip).0[HEIGHT] - standing.place(from, tip).0[HEIGHT];
-        let own = standing.response(to, tip).hessian[HEIGHT][HEIGHT];
-        let counts = standing.tips[tip].on.adheres() && rise > 0.0 && own < 0.0;
-        if counts { own * rise * rise } else { 0.0 }
-    };
-    let all: Vec<f64> = (0..standing.tips.len()).map(softening).collect();
-    let least = all.iter().copied().fold(0.0, f64::min);
-    (0..all.len()).filter(|&tip| all[tip] < 0.0 && all[tip] <= (1.0 - ALIKE) * least).collect()
 }

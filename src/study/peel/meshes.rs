@@ -192,7 +192,7 @@ impl Meshes<'_> {
                 options.first_displacement = known.first_displacement;
                 options.step_tolerance *= FROM_BRANCH_POINT;
             }
-            let followed = follow(&problem, options, self.far, accuracy.relative, limits, self.budget);
+            let followed = follow(model, &problem, options, self.far, accuracy.relative, limits, self.budget);
             self.iterations += followed.iterations;
             self.budget.spend(followed.iterations, options.elements);
             let mut attempt = Attempt::new(model, &problem, followed, resolution, accuracy);
@@ -267,7 +267,7 @@ impl Shorter<'_> {
             let mesh = if best.misses_by_far() { best.next } else { Resolution { elements, order, ..first } };
             let resolution = Resolution { stride: SHORTER.powi(tries), ..mesh };
             let options = resolution.path_options(self.model, relative);
-            let mut followed = follow(self.problem, options, self.far, relative, self.limits, self.budget);
+            let mut followed = follow(self.model, self.problem, options, self.far, relative, self.limits, self.budget);
             iterations += followed.iterations;
             followed.leave_out_unresolved();
             let common = Common::of(&best.peel.limit_points, &followed);

@@ -4,7 +4,7 @@ use super::knot::{Allowed, Knot, Reached, maximum};
 use super::loading::SetaOptions;
 use super::loss::{Loss, locate};
 use super::rest::share_of_change;
-use super::result::LocationError;
+use super::standing::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use super::watched::Watched;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;

@@ -5,8 +5,10 @@
 //! What is found is the peak of a finer mesh where the same tips detach before it as on the coarser one.
 
 use super::loading::{SetaLoading, SetaOptions};
-use super::result::{LocationError, SetaEffort, SetaEnd, SetaMoment, SetaPoint, SetaPullOff, SetaState};
-use super::run::{Run, SetaProgress};
+use super::result::SetaProgress;
+use super::result::{SetaEffort, SetaEnd, SetaMoment, SetaPullOff};
+use super::run::Run;
+use super::standing::{LocationError, SetaPoint, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::beam::element::basis::MOST_ORDER;
 use crate::model::seta::check::SetaError;

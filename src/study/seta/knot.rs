@@ -1,11 +1,14 @@
 //! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
 
-use super::result::LocationError;
+use super::standing::LocationError;
 use super::standing::Standing;
-use crate::solve::error::SolveError;
-use crate::solve::newton::Solution;
+use crate::number::root::{self, Passing};
+use crate::solve::error::{Quantity, SolveError};
+use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::problem::Problem;
-use crate::solve::state::State;
+use crate::solve::state::{Observables, PathConstraint, State};
+use crate::solve::workspace::Workspace;
+use crate::study::asked::events::{EventAt, StationQuantity};
 
 /// Places and weights of Gauss's rule with four points on [0, 1].
 const GAUSS: [(f64, f64); 4] = [
@@ -62,6 +65,18 @@ impl Knot {
         problem.system.retract(&mut at, &way, 1.0);
         at.force += share * (to.at.force - from.at.force) + own * from.tangent.force + others * to.tangent.force;
         at
+    }
+
+    /// The equilibrium at a displacement between this one and another, by cubics alone: with the energy of this one.
+    fn guessed(&self, other: &Self, displacement: f64, problem: &Problem) -> Self {
+        let per = [self, other].map(|knot| 1.0 / knot.solution.slope.displacement);
+        let at = self.predicted(other, displacement, per, problem);
+        let share = (displacement - self.parameter) / (other.parameter - self.parameter);
+        let (force, slope) = self.force_at(other, share);
+        let observables = Observables { displacement, force, ..self.solution.observables };
+        let mut solution = self.solution.clone();
+        (solution.at, solution.observables) = (State { force, ..at }, observables);
+        Self { parameter: displacement, values: [displacement, force], slopes: [1.0, slope], solution }
     }
 
     /// P and dP/dt at a share t of the way to another one, with a cubic of η.
@@ -193,4 +208,84 @@ fn above(low: &Knot, high: &Knot) -> f64 {
         (low.values[1] + width * low.slopes[1]).max(high.values[1] - width * high.slopes[1])
     };
     (most - largest(low, high).values[1]).max(0.0)
+}
+
+// -- Where a quantity passes a value between two equilibria of a stable branch, along the displacement of the root --
+
+/// Pieces in each of which the quantity may pass the value once.
+const PIECES: usize = 8;
+/// The value is met to this share of the largest that is known, or the displacement to this share of itself.
+const PASSED: f64 = 1e-11;
+
+/// The equilibrium between two, the displacement of which is the parameter, where a quantity first passes a value in the way that counts, and by how
+/// much it may miss it.
+pub(super) fn passed(
+    problem: &Problem,
+    [from, to]: [&Knot; 2],
+    (at, value): (&EventAt, &dyn Fn(&Knot) -> f64),
+    newton: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Option<(Knot, LocationError)>, SolveError> {
+    let above = |knot: &Knot| match value(knot) - at.value {
+        above if above.is_finite() => Ok(above),
+        _ => Err(SolveError::NotFiniteUpdate { quantity: Quantity::EventQuantity }),
+    };
+    let ends = [above(from)?, above(to)?];
+    let place = |piece: usize| from.parameter + (to.parameter - from.parameter) * piece as f64 / PIECES as f64;
+    let mut known = vec![(from.parameter, ends[0])];
+    for piece in 1..PIECES {
+        known.push((place(piece), above(&from.guessed(to, place(piece), problem))?));
+    }
+    known.push((to.parameter, ends[1]));
+    let passes = |pair: &[(f64, f64)]| at.passes(pair[0].1 + at.value, pair[1].1 + at.value);
+    let Some(first) = known.windows(2).position(passes) else { return Ok(None) };
+    // what was interpolated is solved, and the piece made wider until it holds what it seemed to hold
+    let mut solved = |piece: usize| match piece {
+        0 => Ok(known[0]),
+        PIECES => Ok(known[PIECES]),
+        _ => Ok((place(piece), above(&between(problem, [from, to], place(piece), newton, ws)?)?)),
+    };
+    let (mut before, mut behind) = (first, first + 1);
+    let (mut low, mut high) = (solved(before)?, solved(behind)?);
+    while (low.1 >= 0.0) == (high.1 >= 0.0) {
+        if before == 0 && behind == PIECES {
+            return Ok(None);
+        }
+        (before, behind) = (before.saturating_sub(1), (behind + 1).min(PIECES));
+        (low, high) = (solved(before)?, solved(behind)?);
+    }
+    let largest = at.value.abs().max(ends[0].abs()).max(ends[1].abs());
+    let solve_at = |displacement: f64| {
+        let knot = between(problem, [from, to], displacement, newton, ws)?;
+        let above = above(&knot)?;
+        Ok::<_, SolveError>((knot, above))
+    };
+    let is_met = |above: f64, displacement: f64, left: f64| {
+        above.abs() <= PASSED * largest || left <= PASSED * displacement.abs()
+    };
+    let (knot, Passing { value: off, left, .. }) = root::passed(low, high, solve_at, is_met)?;
+    let (off, slope) = (off.abs(), knot.slopes[1].abs());
+    let location = match at.quantity.named() {
+        Some(StationQuantity::Force) => LocationError { force: off, displacement: (off / slope).min(left) },
+        Some(StationQuantity::Displacement) => LocationError { force: slope * off, displacement: off },
+        _ => LocationError { force: slope * left, displacement: left },
+    };
+    Ok(Some((knot, location)))
+}
+
+/// The equilibrium between two at a displacement of the root.
+fn between(
+    problem: &Problem,
+    [from, to]: [&Knot; 2],
+    displacement: f64,
+    newton: &NewtonOptions,
+    ws: &mut Workspace,
+) -> Result<Knot, SolveError> {
+    let held = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
+    let per = [from, to].map(|knot| 1.0 / knot.solution.slope.displacement);
+    let nearer = if displacement - from.parameter < to.parameter - displacement { from } else { to };
+    let newton = NewtonOptions { exact_slope: true, ..*newton };
+    let solution = solve(problem, from.predicted(to, displacement, per, problem), &held, &newton, ws);
+    let solution = solution.or_else(|_| solve(problem, nearer.solution.at.clone(), &held, &newton, ws))?;
+    Ok(Knot::new(displacement, solution, 1.0))
 }

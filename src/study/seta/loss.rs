@@ -11,7 +11,7 @@
 
 use super::knot::{Allowed, Knot, Reached, maximum};
 use super::loading::SetaOptions;
-use super::result::LocationError;
+use super::standing::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{Critical, Watched, at_branching, at_fold};
 use crate::beam::spatial::rotation::{exponential, product};

@@ -1,37 +1,11 @@
 //! What a pull-off of a seta gives.
 
-use crate::beam::spatial::rotation::Quaternion;
-use crate::model::seta::tip_law::TipBranch;
+use super::standing::{LocationError, SetaPoint, SetaState, Standing};
+use crate::model::seta::tip_law::{AdheringTip, TipBranch};
 use crate::solve::error::SolveError;
+use crate::solve::newton::Solution;
 use crate::study::asked::stop_criteria::Bound;
 use serde::{Deserialize, Serialize};
-
-/// A stable equilibrium of a seta.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct SetaPoint {
-    /// Number of the step
-    pub step: usize,
-    /// How far the root has moved in the step, nm
-    pub displacement: f64,
-    /// Where the root is from where it was when the plane of the tips is the ground, nm
-    pub root: [f64; 3],
-    /// On the root along x, y and z, nN: what holds it
-    pub force: [f64; 3],
-    /// Of this, along the direction of the step: positive where the root is pulled
-    pub force_along: f64,
-    /// On the root about x, y and z, nN·nm
-    pub moment: [f64; 3],
-    /// Tips that adhere
-    pub attached: usize,
-    /// Tips that are where their law is an extrapolation
-    pub outside: usize,
-    /// Stored and of adhesion; zero of a detached stress-free seta, aJ
-    pub energy: f64,
-    /// Of the root from the start, aJ: the integral of the force between events
-    pub work: f64,
-    /// At events from the start, aJ
-    pub released: f64,
-}
 
 /// What one tip does in an event.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -69,55 +43,19 @@ pub struct SetaEvent {
     pub released: f64,
 }
 
-/// Where a joint is, or a place of a branch.
+/// A station of a pull-off, or where an event of the user lies.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct JointPlace {
-    /// nm
-    pub place: [f64; 3],
-    /// Of the branch that leads to the root
-    pub directors: Quaternion,
-}
-
-impl From<([f64; 3], Quaternion)> for JointPlace {
-    fn from((place, directors): ([f64; 3], Quaternion)) -> Self {
-        Self { place, directors }
-    }
-}
-
-/// A tip in a state.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TipState {
-    /// The branch of its law that it is on
-    pub on: TipBranch,
-    /// Its place of adhesion, nm
-    pub foot: [f64; 3],
-    /// Force of the ground on it, nN: negative along y where the ground pulls it down
-    pub load: [f64; 3],
-}
-
-/// How far an equilibrium that was looked for may lie from the one that was found: where the force has a maximum, or just before an event. It is
-/// an error of that search alone, with the mesh and the law of the tips as they are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct LocationError {
-    /// Of the force along the direction of the step, nN
-    pub force: f64,
-    /// Of the displacement, nm
-    pub displacement: f64,
-}
-
-/// A seta in an equilibrium.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SetaState {
-    /// Its numbers
+pub struct SetaStation {
+    /// Which one of [`crate::study::StopCriteria::events`]
+    pub event: usize,
+    /// The equilibrium; where the seta jumps past the value, that behind the jump
     pub point: SetaPoint,
-    /// Where it was looked for: its error
+    /// By how much the equilibrium may miss the value, in force and displacement, with mesh and law of the tips as they are; none behind a jump
     pub location: Option<LocationError>,
-    /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
-    pub joints: Vec<JointPlace>,
-    /// Branch by branch between its joints, where its elements meet: evenly
-    pub between: Vec<Vec<JointPlace>>,
-    /// Tip by tip
-    pub tips: Vec<TipState>,
+    /// Whether the quantity jumps past the value, with the root held
+    pub jumped: bool,
+    /// It lies behind this one of the points
+    pub after: usize,
 }
 
 /// How a pull-off ended.
@@ -162,6 +100,9 @@ pub struct SetaPullOff {
     pub initial_stiffness: Option<f64>,
     /// In their order
     pub events: Vec<SetaEvent>,
+    /// Stations and events of the user, in the order in which the root comes to them
+    #[serde(default)]
+    pub stations: Vec<SetaStation>,
     /// Just before the first detachment of the last step
     pub first_detachment: Option<SetaState>,
     /// At the largest force along the direction of the last step: a maximum, or just before an event or behind it. Where nothing was located it is
@@ -212,6 +153,101 @@ pub struct SetaMoment {
 impl From<&SetaState> for SetaMoment {
     fn from(SetaState { point, .. }: &SetaState) -> Self {
         Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
+    }
+}
+
+// -- What a pull-off has reached: with it the rest follows bit for bit as if it had not been interrupted --
+
+/// What a pull-off has reached.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct SetaProgress {
+    /// The result so far
+    pub result: SetaPullOff,
+    /// The equilibrium that it stands in
+    pub(super) here: Solution,
+    /// Branch and place of adhesion of each tip, nm
+    pub(super) tips: Vec<(TipBranch, [f64; 3])>,
+    /// Number of the step that is under way
+    pub(super) step: usize,
+    /// Where the root was at its beginning, nm
+    pub(super) from: [f64; 3],
+    /// Length of the next step of the root, nm
+    pub(super) ahead: f64,
+    /// ∂²E/∂y² of a tip at the last loss of stability, nN/nm
+    pub(super) softest: Option<f64>,
+}
+
+/// Where a run is between two steps of its root: a step that is stopped on its way is taken back.
+pub(super) struct Mark {
+    points: usize,
+    events: usize,
+    stations: usize,
+    effort: SetaEffort,
+    here: Solution,
+    tips: Vec<AdheringTip>,
+    ahead: f64,
+    softest: Option<f64>,
+}
+
+impl Mark {
+    pub fn of(progress: &SetaProgress, standing: &Standing) -> Self {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        Self {
+            points: result.points.len(),
+            events: result.events.len(),
+            stations: result.stations.len(),
+            effort: result.effort,
+            here: here.clone(),
+            tips: standing.tips.clone(),
+            ahead: *ahead,
+            softest: *softest,
+        }
+    }
+
+    pub fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
+        let SetaProgress { result, here, ahead, softest, .. } = progress;
+        result.points.truncate(self.points);
+        result.events.truncate(self.events);
+        result.stations.truncate(self.stations);
+        result.effort = self.effort;
+        (*here, *ahead, *softest) = (self.here, self.ahead, self.softest);
+        standing.tips = self.tips;
+    }
+}
+
+/// A state of the last step that has a name.
+#[derive(Clone, Copy)]
+pub(super) enum Named {
+    FirstDetachment,
+    Peak,
+    LastDetachment,
+}
+
+impl SetaPullOff {
+    pub(super) fn named(&mut self, name: Named) -> &mut Option<SetaState> {
+        match name {
+            Named::FirstDetachment => &mut self.first_detachment,
+            Named::Peak => &mut self.peak,
+            Named::LastDetachment => &mut self.last_detachment,
+        }
+    }
+}
+
+impl SetaPullOff {
+    /// Of nothing.
+    pub(super) fn empty(elements: usize) -> Self {
+        Self {
+            points: Vec::new(),
+            initial_stiffness: None,
+            events: Vec::new(),
+            stations: Vec::new(),
+            first_detachment: None,
+            peak: None,
+            last_detachment: None,
+            last: None,
+            end: SetaEnd::Completed,
+            effort: SetaEffort { newton_iterations: 0, elements },
+        }
     }
 }
 

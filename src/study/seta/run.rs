@@ -1,28 +1,25 @@
 //! The run behind [`pull_off`]: step after step of the loading, branch after branch, event after event.
 
 use super::advance::{Advance, advance};
-use super::knot::Reached;
+use super::knot::{Knot, Reached, passed};
 use super::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
 use super::rest::{Rested, come_to_rest};
-use super::result::{
-    EventCause, JointPlace, LocationError, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaPoint, SetaPullOff,
-    SetaState,
-};
-use super::standing::{RootDrive, Standing, TipTangent};
+use super::result::{EventCause, Mark, Named, SetaEnd, SetaEvent, SetaFailure, SetaProgress, SetaPullOff, SetaStation};
+use super::standing::{JointPlace, LocationError, RootDrive, SetaPoint, SetaState, Standing, TipTangent};
 use super::watched::Critical;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
-use crate::model::seta::tip_law::{AdheringTip, TipBranch};
+use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
-use crate::solve::newton::{Solution, solve};
+use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::System;
 use crate::solve::workspace::Workspace;
+use crate::study::asked::events::{EventAction, EventQuantity, StationQuantity};
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 use crate::study::seta::advance::Refusal;
-use serde::{Deserialize, Serialize};
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
 const SHORTEST: f64 = 1e-7;
@@ -254,12 +251,12 @@ impl<'a> Run<'a> {
             Advance::Taken { taken, start, next } => {
                 self.progress.ahead = next;
                 self.locate_here(start);
-                taken.into_iter().for_each(|reached| self.take(drive, reached));
+                taken.into_iter().try_for_each(|reached| self.take(drive, reached))?;
                 Ok(None)
             }
             Advance::Contact { taken, tips } => {
                 let location = taken.location;
-                self.take(drive, *taken);
+                self.take(drive, *taken)?;
                 // the step to the contact says nothing of how long the next one may be
                 self.progress.ahead = self.progress.ahead.max(self.options.first_step);
                 let start = self.progress.here.at.clone();
@@ -277,7 +274,7 @@ impl<'a> Run<'a> {
                         self.progress.ahead = 0.5 * self.progress.ahead.min(before);
                         return Ok(None);
                     }
-                    self.take(drive, taken);
+                    self.take(drive, taken)?;
                 }
                 Ok(match critical {
                     Critical::Tips(tips) => Some(Due { start: self.progress.here.at.clone(), tips, location }),
@@ -288,14 +285,98 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Goes on to an equilibrium of the same branch.
-    fn take(&mut self, drive: &RootDrive, Reached { solution, work, location }: Reached) {
+    /// Goes on to an equilibrium of the same branch, or to where an event of the user on the way there stops it.
+    fn take(&mut self, drive: &RootDrive, reached: Reached) -> Result<(), SetaEnd> {
+        let stopped = self.look(drive, &reached.solution)?;
+        let (Reached { solution, work, location }, end) = match stopped {
+            Some((stopped, bound)) => (stopped, Err(SetaEnd::Bound(bound))),
+            None => (reached, Ok(())),
+        };
         let mut point = self.point(drive, &solution, self.last());
         point.work += work;
         self.standing.note(&solution.at);
         self.progress.here = solution;
         self.progress.result.points.push(point);
         self.keep_peak(point, location);
+        end
+    }
+
+    /// Looks for stations and events on the way to an equilibrium of the same branch; where the first one lies that stops the run.
+    fn look(&mut self, drive: &RootDrive, to: &Solution) -> Result<Option<(Reached, Bound)>, SetaEnd> {
+        let (stop, before) = (self.stop, self.last());
+        let from = Knot::new(
+            self.progress.here.observables.displacement,
+            self.progress.here.clone(),
+            self.progress.here.slope.displacement,
+        );
+        let to = Knot::new(to.observables.displacement, to.clone(), to.slope.displacement);
+        if stop.events.is_empty() || to.parameter <= from.parameter {
+            return Ok(None);
+        }
+        let problem = self.standing.problem(drive, None, TipTangent::Own);
+        let newton = NewtonOptions { most_iterations: 20, ..self.options.newton() };
+        let (mut found, mut ws) = (Vec::new(), std::mem::take(&mut self.ws));
+        for (event, at) in stop.events.iter().enumerate() {
+            let value = |knot: &Knot| {
+                let solution = &knot.solution;
+                match &at.quantity {
+                    EventQuantity::Named(StationQuantity::Displacement) => solution.observables.displacement,
+                    EventQuantity::Named(StationQuantity::Force) => solution.observables.force,
+                    EventQuantity::OfSeta(of) => {
+                        let mut point = self.point(drive, solution, before);
+                        point.work += from.work_to(knot);
+                        of(&self.state_at(solution, point, None))
+                    }
+                    EventQuantity::Named(_) | EventQuantity::OfBeam(_) => 0.0,
+                }
+            };
+            let passed = passed(&problem, [&from, &to], (at, &value), &newton, &mut ws);
+            found.push(passed.map(|passed| passed.map(|(knot, location)| (event, knot, location))));
+        }
+        self.ws = ws;
+        let found: Result<Vec<_>, SolveError> = found.into_iter().filter_map(Result::transpose).collect();
+        let mut found = found.map_err(|cause| self.lost(cause))?;
+        found.sort_by(|a, b| a.1.parameter.total_cmp(&b.1.parameter));
+        for (event, knot, location) in found {
+            let work = from.work_to(&knot);
+            let mut point = self.point(drive, &knot.solution, before);
+            point.work += work;
+            let after = self.progress.result.points.len() - 1;
+            self.progress.result.stations.push(SetaStation {
+                event,
+                point,
+                location: Some(location),
+                jumped: false,
+                after,
+            });
+            if stop.events[event].action == EventAction::Stop {
+                let name = stop.events[event].name.clone();
+                return Ok(Some((Reached { solution: knot.solution, work, location: None }, Bound::Event { name })));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The same where the seta has jumped from one equilibrium to another, with its root held.
+    fn look_at_jump(&mut self, before: SetaPoint, from: &SetaState) -> Result<(), SetaEnd> {
+        let (stop, point) = (self.stop, self.last());
+        let behind = self.state(&self.progress.here, None);
+        let after = self.progress.result.points.len() - 2;
+        for (event, at) in stop.events.iter().enumerate() {
+            let value = |point: &SetaPoint, state: &SetaState| match &at.quantity {
+                EventQuantity::Named(StationQuantity::Force) => point.force_along,
+                EventQuantity::Named(StationQuantity::Attached) => point.attached as f64,
+                EventQuantity::OfSeta(of) => of(state),
+                EventQuantity::Named(_) | EventQuantity::OfBeam(_) => 0.0,
+            };
+            if at.passes(value(&before, from), value(&point, &behind)) {
+                self.progress.result.stations.push(SetaStation { event, point, location: None, jumped: true, after });
+                if at.action == EventAction::Stop {
+                    return Err(SetaEnd::Bound(Bound::Event { name: at.name.clone() }));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// The force has a maximum where the run stands, as the step behind it says.
@@ -341,10 +422,14 @@ impl<'a> Run<'a> {
     }
 
     fn state(&self, solution: &Solution, location: Option<LocationError>) -> SetaState {
+        self.state_at(solution, self.last(), location)
+    }
+
+    fn state_at(&self, solution: &Solution, point: SetaPoint, location: Option<LocationError>) -> SetaState {
         let tree = &self.standing.tree;
         let at = &solution.at;
         SetaState {
-            point: self.last(),
+            point,
             location,
             joints: (0..tree.joints()).map(|joint| tree.joint(at, joint).into()).collect(),
             between: (1..tree.joints())
@@ -409,6 +494,7 @@ impl Run<'_> {
         let location = LocationError { force: (stiffness * late).abs(), displacement: late };
         self.progress.here = solution;
         let detaches = changes.iter().any(|change| !change.to.adheres());
+        let left = state.clone();
         if detaches && before.step + 1 == self.loading.steps.len() {
             if self.progress.result.first_detachment.is_none() {
                 self.keep(Named::FirstDetachment, state.clone());
@@ -418,7 +504,7 @@ impl Run<'_> {
         self.progress.result.points.push(after);
         self.progress.result.events.push(SetaEvent { before, after, cause, tips: changes, released });
         self.keep_peak(after, Some(location));
-        Ok(())
+        self.look_at_jump(before, &left)
     }
 
     /// Whether the last event was one here in which beams buckled and no tip followed: it led back to where it began.
@@ -429,97 +515,6 @@ impl Run<'_> {
             let is_here = step == self.progress.step && (displacement - there).abs() < SHORTEST;
             is_here && event.cause == EventCause::Buckling && event.tips.is_empty()
         })
-    }
-}
-
-// -- What a pull-off has reached: with it the rest follows bit for bit as if it had not been interrupted --
-
-/// What a pull-off has reached.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct SetaProgress {
-    /// The result so far
-    pub result: SetaPullOff,
-    /// The equilibrium that it stands in
-    pub(super) here: Solution,
-    /// Branch and place of adhesion of each tip, nm
-    pub(super) tips: Vec<(TipBranch, [f64; 3])>,
-    /// Number of the step that is under way
-    pub(super) step: usize,
-    /// Where the root was at its beginning, nm
-    pub(super) from: [f64; 3],
-    /// Length of the next step of the root, nm
-    pub(super) ahead: f64,
-    /// ∂²E/∂y² of a tip at the last loss of stability, nN/nm
-    pub(super) softest: Option<f64>,
-}
-
-/// Where a run is between two steps of its root: a step that is stopped on its way is taken back.
-pub(super) struct Mark {
-    points: usize,
-    events: usize,
-    effort: SetaEffort,
-    here: Solution,
-    tips: Vec<AdheringTip>,
-    ahead: f64,
-    softest: Option<f64>,
-}
-
-impl Mark {
-    pub fn of(progress: &SetaProgress, standing: &Standing) -> Self {
-        let SetaProgress { result, here, ahead, softest, .. } = progress;
-        Self {
-            points: result.points.len(),
-            events: result.events.len(),
-            effort: result.effort,
-            here: here.clone(),
-            tips: standing.tips.clone(),
-            ahead: *ahead,
-            softest: *softest,
-        }
-    }
-
-    pub fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
-        let SetaProgress { result, here, ahead, softest, .. } = progress;
-        result.points.truncate(self.points);
-        result.events.truncate(self.events);
-        result.effort = self.effort;
-        (*here, *ahead, *softest) = (self.here, self.ahead, self.softest);
-        standing.tips = self.tips;
-    }
-}
-
-/// A state of the last step that has a name.
-#[derive(Clone, Copy)]
-pub(super) enum Named {
-    FirstDetachment,
-    Peak,
-    LastDetachment,
-}
-
-impl SetaPullOff {
-    pub(super) fn named(&mut self, name: Named) -> &mut Option<SetaState> {
-        match name {
-            Named::FirstDetachment => &mut self.first_detachment,
-            Named::Peak => &mut self.peak,
-            Named::LastDetachment => &mut self.last_detachment,
-        }
-    }
-}
-
-impl SetaPullOff {
-    /// Of nothing.
-    pub(super) fn empty(elements: usize) -> Self {
-        Self {
-            points: Vec::new(),
-            initial_stiffness: None,
-            events: Vec::new(),
-            first_detachment: None,
-            peak: None,
-            last_detachment: None,
-            last: None,
-            end: SetaEnd::Completed,
-            effort: SetaEffort { newton_iterations: 0, elements },
-        }
     }
 }
 

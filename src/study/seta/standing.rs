@@ -1,6 +1,5 @@
 //! A seta as it stands: its tree of beams, each tip on a branch of its law, and the direction in which its root is moved.
 
-use super::result::{JointPlace, SetaPoint, SetaState, TipState};
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, conjugate, inner, matrix, normalised, product};
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::beam_tree::BeamTree;
@@ -13,6 +12,7 @@ use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMea
 use crate::solve::state::State;
 use crate::solve::system::INTERFACE;
 use nalgebra::{Matrix6, Vector3};
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Height among the unknowns of a joint.
@@ -375,4 +375,84 @@ impl Cubic {
         let sign = if inner(p, q) < 0.0 { -1.0 } else { 1.0 };
         (at, normalised(std::array::from_fn(|i| u * p[i] + sign * t * q[i])))
     }
+}
+
+// -- A seta in an equilibrium: its numbers, its joints and its tips --
+
+/// A stable equilibrium of a seta.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct SetaPoint {
+    /// Number of the step
+    pub step: usize,
+    /// How far the root has moved in the step, nm
+    pub displacement: f64,
+    /// Where the root is from where it was when the plane of the tips is the ground, nm
+    pub root: [f64; 3],
+    /// On the root along x, y and z, nN: what holds it
+    pub force: [f64; 3],
+    /// Of this, along the direction of the step: positive where the root is pulled
+    pub force_along: f64,
+    /// On the root about x, y and z, nN·nm
+    pub moment: [f64; 3],
+    /// Tips that adhere
+    pub attached: usize,
+    /// Tips that are where their law is an extrapolation
+    pub outside: usize,
+    /// Stored and of adhesion; zero of a detached stress-free seta, aJ
+    pub energy: f64,
+    /// Of the root from the start, aJ: the integral of the force between events
+    pub work: f64,
+    /// At events from the start, aJ
+    pub released: f64,
+}
+
+/// Where a joint is, or a place of a branch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointPlace {
+    /// nm
+    pub place: [f64; 3],
+    /// Of the branch that leads to the root
+    pub directors: Quaternion,
+}
+
+impl From<([f64; 3], Quaternion)> for JointPlace {
+    fn from((place, directors): ([f64; 3], Quaternion)) -> Self {
+        Self { place, directors }
+    }
+}
+
+/// A tip in a state.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TipState {
+    /// The branch of its law that it is on
+    pub on: TipBranch,
+    /// Its place of adhesion, nm
+    pub foot: [f64; 3],
+    /// Force of the ground on it, nN: negative along y where the ground pulls it down
+    pub load: [f64; 3],
+}
+
+/// How far an equilibrium that was looked for may lie from the one that was found: where the force has a maximum, or just before an event. It is
+/// an error of that search alone, with the mesh and the law of the tips as they are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct LocationError {
+    /// Of the force along the direction of the step, nN
+    pub force: f64,
+    /// Of the displacement, nm
+    pub displacement: f64,
+}
+
+/// A seta in an equilibrium.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SetaState {
+    /// Its numbers
+    pub point: SetaPoint,
+    /// Where it was looked for: its error
+    pub location: Option<LocationError>,
+    /// Joint by joint, as [`crate::model::Seta::joint_place`] counts them
+    pub joints: Vec<JointPlace>,
+    /// Branch by branch between its joints, where its elements meet: evenly
+    pub between: Vec<Vec<JointPlace>>,
+    /// Tip by tip
+    pub tips: Vec<TipState>,
 }

@@ -60,7 +60,7 @@ pub struct SectionFields {
 }
 
 /// What the fields of all states of one peel in the plane are read with.
-pub(super) struct PlanarReader<'p> {
+pub(in crate::study) struct PlanarReader<'p> {
     model: &'p PeelModel,
     beam: &'p PlanarBeam,
     friction: Option<FrictionLaw>,
@@ -102,6 +102,12 @@ impl<'p> PlanarReader<'p> {
         }
         sections.extend(ends.last().map(|end| self.at_end(at, end, x)));
         sections
+    }
+
+    /// The gap of the section at S = 0, nm.
+    pub fn free_end_gap(&self, at: &State) -> f64 {
+        let ends = self.beam.chain.node_states(self.beam.configuration(at), 0..1);
+        self.at_end(at, &ends[0], 0.0).gap
     }
 
     /// How far x goes between two local coordinates of an element of this length, nm.
@@ -188,7 +194,7 @@ pub struct SpatialSectionFields {
 }
 
 /// What the fields of all states of one peel in space are read with.
-pub(super) struct SpatialReader<'p> {
+pub(in crate::study) struct SpatialReader<'p> {
     beam: &'p SpatialBeam,
     pub outline: SectionShape,
     /// Shares of an element at its Gauss points, from 0 to 1, and their weights.
@@ -216,6 +222,12 @@ impl<'p> SpatialReader<'p> {
         }
         sections.extend(ends.next().map(|end| self.fields(end, 0.0)));
         sections
+    }
+
+    /// The gap of the section at S = 0, nm.
+    pub fn free_end_gap(&self, at: &State) -> f64 {
+        let ends = self.beam.end_states(at, 0..1);
+        self.fields(ends[0].clone(), 0.0).gap
     }
 
     fn fields(&self, state: SpatialSectionState, weight: f64) -> SpatialSectionFields {

@@ -1,80 +1,13 @@
-//! One equilibrium of a path with its fields along the beam, in the plane or in space.
+//! Which equilibria of a path are looked at with their fields along the beam: its limit points, and others evenly between.
 
-use super::along_beam::{PlanarReader, SectionFields, SpatialReader, SpatialSectionFields};
-use crate::adhesion::spatial_section::section::SectionShape;
-use crate::model::peel::PeelModel;
-use crate::model::problem::beam_problem::Beam;
+use super::fields::{BeamState, Reader};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::{ROUGH, step_to};
-use crate::solve::points::search::LimitPointKind;
 use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
 use std::sync::Arc;
-
-/// One equilibrium of a path with its fields along the beam.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BeamState {
-    /// u of the grip, nm
-    pub displacement: f64,
-    /// P, nN
-    pub force: f64,
-    /// Whether it is a limit point, and of what.
-    pub limit_point: Option<LimitPointKind>,
-    /// How far along the path it is: 0 where the path begins, 1 where it ends, by the length of the curve of P over u, each over its range.
-    pub path_position: f64,
-    /// The beam from place to place
-    pub sections: StateSections,
-}
-
-/// The beam from S = 0 to S = L.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StateSections {
-    /// Of a beam in the plane
-    Planar(Vec<SectionFields>),
-    /// Of a beam in space
-    Spatial {
-        /// Of all sections
-        outline: SectionShape,
-        /// From place to place
-        sections: Vec<SpatialSectionFields>,
-    },
-}
-
-/// What the fields of all states of one peel are read with.
-pub(super) enum Reader<'p> {
-    Planar(PlanarReader<'p>),
-    Spatial(SpatialReader<'p>),
-}
-
-impl<'p> Reader<'p> {
-    pub fn new(model: &'p PeelModel, beam: &'p Beam) -> Self {
-        match beam {
-            Beam::Planar(beam) => Self::Planar(PlanarReader::new(model, beam)),
-            Beam::Spatial(beam) => Self::Spatial(SpatialReader::new(model, beam)),
-        }
-    }
-
-    /// The state of a solution of the path.
-    pub fn read(&self, solution: &Solution, limit_point: Option<LimitPointKind>, path_position: f64) -> BeamState {
-        let observed = &solution.observables;
-        BeamState {
-            displacement: observed.displacement,
-            force: observed.force,
-            limit_point,
-            path_position,
-            sections: match self {
-                Self::Planar(reader) => StateSections::Planar(reader.sections(&solution.at)),
-                Self::Spatial(reader) => {
-                    StateSections::Spatial { outline: reader.outline, sections: reader.sections(&solution.at) }
-                }
-            },
-        }
-    }
-}
-
-// -- Which points of a path are looked at: its limit points, and others evenly between --
 
 /// Pieces of a step by which the length of the curve is measured.
 const PIECES: usize = 16;

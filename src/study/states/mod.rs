@@ -2,4 +2,7 @@
 
 pub(super) mod along_beam;
 pub(super) mod beam_state;
+pub(super) mod fields;
+pub(super) mod locator;
+pub(super) mod measured;
 pub(super) mod station;

@@ -7,6 +7,7 @@ mod hysteresis;
 mod initial_stiffness;
 pub mod setup;
 mod snap_on;
+mod stations;
 mod symmetry;
 mod table_law;
 mod tip;

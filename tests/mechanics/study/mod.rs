@@ -4,6 +4,7 @@ mod choice;
 mod curve;
 mod ends;
 mod error_bounds;
+mod events;
 mod fit;
 mod followed_until;
 mod observed;

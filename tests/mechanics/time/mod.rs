@@ -5,4 +5,5 @@ mod pull;
 mod rods;
 mod seta;
 mod spin_up;
+mod stations;
 mod trees;

@@ -6,10 +6,10 @@ use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::session::{Progress, Session};
 use peelkit::model::PeelModel;
 use peelkit::study::{
-    self, Checkpoint, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch, PathEnd,
-    Peel, Stations, TestEnd,
+    self, Checkpoint, Events, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
+    PathEnd, Peel, Stations, StopCriteria, TestEnd,
 };
-use peelkit_report::{self as report, Journal, JournalKind, PeelSummary, ReportError, timed};
+use peelkit_report::{self as report, Journal, JournalKind, Marked, PassedAt, PeelSummary, ReportError, timed};
 use peelkit_scene::{BoundsTable, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -85,6 +85,8 @@ pub struct PeelOutcome {
     pub test: Option<Observed>,
     /// The equilibria at the values that the scene asks for
     pub stations: Vec<Stations>,
+    /// Where its events lie
+    pub events: Vec<Events>,
     /// That the stability, the branch and the test took
     pub beside_s: [f64; 3],
     /// By which power of each parameter the results change
@@ -116,7 +118,8 @@ impl Analysis for PeelRun<'_> {
     fn run(&self, session: &Session) -> Result<PeelOutcome, Refusal> {
         let Self { scene, asked } = *self;
         // whatever its bounds, a path has the same points
-        let unbound = Scene { bounds: BoundsTable::default(), ..scene.clone() };
+        let (bounds, events) = (BoundsTable::default(), Vec::new());
+        let unbound = Scene { bounds, stations: Vec::new(), events, ..scene.clone() };
         let journal = session.open(JournalKind::RUN, &unbound, &[])?;
         let taken = journal.entries();
         let (peel, seconds) = timed(|| path(scene, &journal, session));
@@ -136,7 +139,14 @@ impl Analysis for PeelRun<'_> {
         let (branch, not_followed) = or_why(branch);
         let stations =
             if interrupted { Vec::new() } else { scene.stations.iter().map(|&at| peel.stations(at)).collect() };
-        let missed = stations.iter().flat_map(|stations: &Stations| &stations.missed).next().map(ToString::to_string);
+        let events = if interrupted { Vec::new() } else { at_events(scene, &peel) };
+        let of_events = events.iter().flat_map(|events: &Events| &events.missed);
+        let missed = stations
+            .iter()
+            .flat_map(|stations: &Stations| &stations.missed)
+            .chain(of_events)
+            .next()
+            .map(ToString::to_string);
         let differentiated = asked.sensitivities && !interrupted && peel.points.len() > 1;
         let exponents = || {
             session.stage("sensitivities");
@@ -152,6 +162,7 @@ impl Analysis for PeelRun<'_> {
             beside_s: [stability_s, branch_s, test_s],
             exponents,
             stations,
+            events,
             taken,
             missing: missed.or(no_exponents).or(unknown).or(not_followed),
             interrupted,
@@ -171,7 +182,8 @@ fn path(scene: &Scene, journal: &Journal, session: &Session) -> Peel {
             journal.append(options, &waypoint);
         },
     };
-    study::peel_on(&scene.model, &scene.accuracy, &session.stop(scene), &checkpoint)
+    let stop = StopCriteria { events: scene.events.clone(), ..session.stop(scene) };
+    study::peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint)
 }
 
 /// The equilibria of a path at the values that a scene asks for.
@@ -179,10 +191,16 @@ fn at_stations(scene: &Scene, peel: &Peel) -> Vec<Stations> {
     scene.stations.iter().map(|&at| peel.stations(at)).collect()
 }
 
+/// Where its events lie.
+fn at_events(scene: &Scene, peel: &Peel) -> Vec<Events> {
+    scene.events.iter().map(|at| peel.events(at)).collect()
+}
+
 /// The displacement-controlled test of a scene.
 fn observed(scene: &Scene, session: &Session) -> Result<Observed, Refusal> {
     session.stage("displacement-controlled test");
-    study::observed(&scene.model, &scene.accuracy, &session.stop(scene)).map_err(|none| without_test(&none))
+    study::observed(&scene.model, &scene.accuracy, &StopCriteria { events: scene.looked_for(), ..session.stop(scene) })
+        .map_err(|none| without_test(&none))
 }
 
 impl PeelOutcome {
@@ -196,6 +214,7 @@ impl PeelOutcome {
             test: None,
             beside_s: [0.0; 3],
             stations: Vec::new(),
+            events: Vec::new(),
             exponents: None,
             taken: 0,
             missing: None,
@@ -207,7 +226,7 @@ impl PeelOutcome {
 
     /// The same with the equilibria at the values that its scene asks for.
     pub fn with_stations(self, scene: &Scene) -> Self {
-        Self { stations: at_stations(scene, &self.peel), ..self }
+        Self { stations: at_stations(scene, &self.peel), events: at_events(scene, &self.peel), ..self }
     }
 
     fn summary<'a>(&'a self, scene: &'a Scene) -> PeelSummary<'a> {
@@ -222,7 +241,7 @@ impl PeelOutcome {
         if let Some(branch) = &self.branch {
             summary = summary.with_branch(branch.as_ref(), branch_s);
         }
-        summary = summary.with_stations(&self.stations);
+        summary = summary.with_stations(&self.stations).with_events(&self.events);
         if let Some(Exponents { found, keys, .. }) = &self.exponents {
             summary = summary.with_sensitivities(found, keys);
         }
@@ -243,12 +262,13 @@ impl Outcome for PeelOutcome {
             report::write_curve(dir, peel, stability)?,
             report::write_limit_points(dir, peel)?,
         ];
-        if !self.stations.is_empty() {
-            files.push(report::write_stations(dir, &self.stations)?);
+        if !(self.stations.is_empty() && self.events.is_empty()) {
+            files.push(report::write_stations(dir, &self.stations, &self.events)?);
         }
         files.push(report::write_parameters(dir, scene, command)?);
         if peel.points.len() > 1 {
-            files.extend(report::draw_peel_with_branch(peel, stability, branch, &scene.title, dir)?);
+            let marked = Marked::of_path(&self.stations, &self.events);
+            files.extend(report::draw_peel_with_branch(peel, stability, branch, &marked, &scene.title, dir)?);
         }
         if let Some(branch) = branch {
             files.push(report::write_branch(dir, branch)?);
@@ -265,7 +285,12 @@ impl Outcome for PeelOutcome {
         if let Some(test) = test {
             files.push(report::write_observed(dir, test)?);
             if test.points.len() > 1 {
-                files.extend(report::draw_observed(test, &scene.title, dir)?);
+                files.extend(report::draw_observed(
+                    test,
+                    &PassedAt::of_test(test, &scene.looked_for()),
+                    &scene.title,
+                    dir,
+                )?);
             }
         }
         if asked.animate && peel.points.len() > 1 {

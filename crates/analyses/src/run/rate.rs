@@ -7,7 +7,7 @@ use crate::session::Session;
 use crate::seta;
 use peelkit::model::{PullCurve, Seta};
 use peelkit::study::{self, InTimeFailureKind, Peel, SetaInTime, SetaInTimeFailureKind, SetaPullOff, StopCriteria};
-use peelkit_report::{self as report, Equilibria, PulledAtRate, RateSummary, ReportError, timed};
+use peelkit_report::{self as report, Equilibria, PassedAt, PulledAtRate, RateSummary, ReportError, timed};
 use peelkit_scene::{Scene, SetaTable, TimeTable};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -88,12 +88,17 @@ impl Analysis for RateRun<'_> {
 }
 
 impl RateRun<'_> {
+    /// The same stop criteria with the stations and events of the scene, which are those of the pull and not of the equilibria beside it.
+    fn looking(&self, stop: &StopCriteria) -> StopCriteria {
+        StopCriteria { events: self.scene.looked_for(), ..stop.clone() }
+    }
+
     fn of_beam(&self, stop: &StopCriteria, session: &Session) -> Result<RateOutcome, Refusal> {
         let Self { scene, table } = *self;
         session.stage("equilibria");
         let (equilibria, equilibria_s) = timed(|| study::peel(&scene.model, &scene.accuracy, stop));
         session.stage("pull in time");
-        let (pulled, solve_s) = timed(|| pull_beam(scene, table, stop));
+        let (pulled, solve_s) = timed(|| pull_beam(scene, table, &self.looking(stop)));
         let (pulled, failed) = pulled.map_err(|why| not_begun(&why))?;
         Ok(RateOutcome {
             pulled: PulledAtRate::from(&pulled),
@@ -117,7 +122,7 @@ impl RateRun<'_> {
         let pull_off =
             pull_off.map_err(|error| Refusal::asked(error, "`peel keys seta` lists the keys with their ranges."))?;
         session.stage("pull in time");
-        let (pulled, solve_s) = timed(|| pull_seta(scene, (table, seta), &model, stop));
+        let (pulled, solve_s) = timed(|| pull_seta(scene, (table, seta), &model, &self.looking(stop)));
         let (pulled, failed) = pulled.map_err(|why| match &why {
             SetaInTimeFailureKind::InTime(why) => not_begun(why),
             _ => Refusal::cut_short(&why),
@@ -164,8 +169,12 @@ impl Outcome for RateOutcome {
             vec![self.summary(scene).with_command(command).write(dir)?, report::write_rate_curve(dir, pulled)?];
         files.extend(self.of.write(dir)?);
         files.push(report::write_parameters(dir, scene, command)?);
+        let passed = PassedAt::of_rate(pulled, &scene.looked_for());
+        if !passed.is_empty() {
+            files.push(report::write_passed(dir, &passed)?);
+        }
         if pulled.points.len() > 1 {
-            files.extend(report::draw_rate(dir, pulled, &self.equilibria, &scene.title)?);
+            files.extend(report::draw_rate(dir, (pulled, &passed), &self.equilibria, &scene.title)?);
         }
         Ok(files)
     }

@@ -1,6 +1,7 @@
 //! What a run found, laid out for a person.
 
 pub(crate) mod fit;
+mod found;
 mod layout;
 pub(crate) mod number;
 pub(crate) mod observed;

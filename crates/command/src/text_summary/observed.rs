@@ -1,17 +1,19 @@
 //! The summary of a displacement-controlled test.
 
+use super::found::passed_lines;
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
-use peelkit::study::{Observed, PullOff, TestEnd};
-use peelkit_report::{jump_title, test_end_reason, test_end_word};
+use peelkit::study::{EventAt, Observed, PullOff, TestEnd};
+use peelkit_report::{PassedAt, jump_title, test_end_reason, test_end_word};
 
 /// Which of two pull-off forces is seen.
 const SEEN: &str =
     "an experiment records the larger if the end face is as flat and smooth as here; otherwise the one before";
 
 /// The displacement-controlled test, which took so many seconds.
-pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
-    let Units { force, length, work } = Units::fitting(wanted, sizes(test));
+pub fn observed(test: &Observed, looked_for: &[EventAt], solve_s: f64, wanted: WantedUnits) -> String {
+    let units = Units::fitting(wanted, sizes(test));
+    let Units { force, length, work } = units;
     let none = || "none".to_owned();
     let largest = |peak: PullOff, until: &str| {
         let force = force.with_error(peak.force, peak.force_error);
@@ -42,6 +44,7 @@ pub fn observed(test: &Observed, solve_s: f64, wanted: WantedUnits) -> String {
             ),
         ));
     }
+    lines.extend(passed_lines(&PassedAt::of_test(test, looked_for), looked_for, &units));
     let warnings = test.warnings().into_iter().enumerate();
     lines.extend(warnings.map(|(k, warning)| (if k == 0 { "warnings" } else { "" }, warning.to_string())));
     lines.push(("hysteresis", test.hysteresis.map_or_else(none, |area| work.fixed(area, 6))));

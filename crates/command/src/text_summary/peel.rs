@@ -1,5 +1,6 @@
 //! The summary of one peel.
 
+use super::found::{looked_for_text, value_text};
 use super::layout::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
@@ -8,9 +9,9 @@ use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
 use peelkit::study::{
-    Bound, Contact, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, NotOutOfPlane, OutOfPlane,
-    OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity, Stations, TermDecisions,
-    TermEffect, WarningKind,
+    Bound, Contact, EventAt, Events, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, MissedStation,
+    NotOutOfPlane, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity,
+    Stations, TermDecisions, TermEffect, WarningKind,
 };
 use peelkit::units::{BENDING_STIFFNESSES, LENGTHS};
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
@@ -31,13 +32,15 @@ pub struct Beside<'a> {
     pub branch: Option<&'a Option<OutOfPlaneBranch>>,
     /// Its equilibria at given values
     pub stations: &'a [Stations],
+    /// Where events of the user lie on it
+    pub events: &'a [Events],
 }
 
 /// The summary of one peel, which took so many seconds, with what was asked for beside it.
 pub fn peel(
     scene: &Scene,
     peel: &Peel,
-    Beside { stability, branch, stations }: Beside,
+    Beside { stability, branch, stations, events }: Beside,
     solve_s: f64,
     wanted: WantedUnits,
 ) -> String {
@@ -103,8 +106,12 @@ pub fn peel(
     if let Some(left_out) = left_out(peel) {
         lines.push(("", format!("left out: {} {left_out}", peel.ripple)));
     }
-    let at_stations = stations.iter().flat_map(|stations| station_lines(stations, &units));
+    let of_station = |of: &Stations| found_lines(&of.at.into(), (&of.found, &of.missed, of.range), &units);
+    let of_event = |of: &Events| found_lines(&of.at, (&of.found, &of.missed, of.range), &units);
+    let at_stations = stations.iter().flat_map(of_station);
     lines.extend(at_stations.enumerate().map(|(index, line)| (if index == 0 { "stations" } else { "" }, line)));
+    let at_events = events.iter().flat_map(of_event);
+    lines.extend(at_events.enumerate().map(|(index, line)| (if index == 0 { "events" } else { "" }, line)));
     lines.extend(derived(scene, &units));
     lines.extend(plane(scene, stability.is_some()));
     lines.extend(terms(peel));
@@ -134,21 +141,14 @@ pub fn peel(
     in_columns(&scene.title, &lines)
 }
 
-/// The equilibria at a value that was asked for, a line each.
-fn station_lines(stations: &Stations, units: &Units) -> Vec<String> {
-    let value = |value: f64| match stations.at.quantity {
-        StationQuantity::Displacement | StationQuantity::Front => units.length.short(value),
-        StationQuantity::Force => units.force.short(value),
-        StationQuantity::EndRotation => format!("{} deg", short(value.to_degrees())),
-    };
-    let named = match stations.at.quantity {
-        StationQuantity::Displacement => "u",
-        StationQuantity::Force => "P",
-        StationQuantity::Front => "front",
-        StationQuantity::EndRotation => "rotation of the grip",
-    };
-    let at = format!("{named} = {}", value(stations.at.value));
-    let found = |station: &Station| {
+/// The equilibria at a station, or where an event lies, a line each.
+fn found_lines(
+    at: &EventAt,
+    (found, missed, range): (&[Station], &[MissedStation], [f64; 2]),
+    units: &Units,
+) -> Vec<String> {
+    let title = looked_for_text(at, units);
+    let line = |station: &Station| {
         let (place, force) = (station.displacement, station.force);
         let (place, force) = match station.errors {
             Some(errors) => {
@@ -156,19 +156,19 @@ fn station_lines(stations: &Stations, units: &Units) -> Vec<String> {
             }
             None => (units.length.fixed(place, 4), units.force.fixed(force, 6)),
         };
-        let what = match stations.at.quantity {
-            StationQuantity::Displacement => format!("P = {force}"),
-            StationQuantity::Force => format!("u = {place}"),
-            StationQuantity::Front | StationQuantity::EndRotation => format!("u = {place}, P = {force}"),
+        let what = match at.quantity.named() {
+            Some(StationQuantity::Displacement) => format!("P = {force}"),
+            Some(StationQuantity::Force) => format!("u = {place}"),
+            _ => format!("u = {place}, P = {force}"),
         };
         let stable = if station.negative_eigenvalues == 0 { "" } else { ", unstable under displacement control" };
-        format!("{at}: {what}{stable}")
+        format!("{title}: {what}{stable}")
     };
-    let mut lines: Vec<String> = stations.found.iter().map(found).collect();
-    lines.extend(stations.missed.iter().map(|missed| format!("{at}: {missed}")));
+    let mut lines: Vec<String> = found.iter().map(line).collect();
+    lines.extend(missed.iter().map(|missed| format!("{title}: {missed}")));
     if lines.is_empty() {
-        let [least, largest] = stations.range.map(value);
-        lines.push(format!("{at}: the path does not pass it; it goes from {least} to {largest}"));
+        let [least, largest] = range.map(|value| value_text(at, value, units));
+        lines.push(format!("{title}: the path does not pass it; it goes from {least} to {largest}"));
     }
     lines
 }
@@ -483,6 +483,7 @@ fn end(end: &PathEnd) -> String {
         PathEnd::BondedPartUnstable(_) => "no stable state is near",
         PathEnd::Upright(_) => "no smooth solution goes on from there",
         PathEnd::Bound(Bound::Until(_)) => "what the scene asks for is behind",
+        PathEnd::Bound(Bound::Event { .. }) => "the path is followed no further",
         PathEnd::Bound(_) => "a limit set under [bounds] was reached",
         PathEnd::Failed(failure) if failure.is_refusal() => "the model is not computed",
         PathEnd::Failed(_) => "the computation stopped short",

@@ -1,10 +1,11 @@
 //! The summary of a pull at a rate.
 
+use super::found::passed_lines;
 use super::layout::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTimeEvent, TipLoss};
-use peelkit_report::{Equilibria, PulledAtRate, TipEvents, tip_peak};
+use peelkit_report::{Equilibria, PassedAt, PulledAtRate, TipEvents, tip_peak};
 use peelkit_scene::Scene;
 
 /// The law of a seta's tips, which took so many seconds, and how they leave it.
@@ -28,7 +29,8 @@ pub fn rate(
 ) -> String {
     let change = pulled.change();
     let largest = pulled.peak.map_or(0.0, |at| at.force);
-    let Units { force, length, work } = Units::fitting(wanted, [largest.abs(), pulled.way(), change.work.abs()]);
+    let units = Units::fitting(wanted, [largest.abs(), pulled.way(), change.work.abs()]);
+    let Units { force, length, work } = units;
     let attached = pulled.next_to_peak().and_then(|at| at.attached()).zip(law);
     let attached =
         attached.map_or(String::new(), |(attached, law)| format!(", {attached} of {} tips attached", law.tips));
@@ -52,6 +54,10 @@ pub fn rate(
     );
     let how = match (failed, pulled.contact_lost) {
         (Some(why), _) => format!("failed: {why}"),
+        _ if pulled.stopped.is_some() => {
+            let event = pulled.stopped.as_ref().map(ToString::to_string).unwrap_or_default();
+            format!("event: the pull is followed no further: {event}")
+        }
         (None, Some(time)) => format!("detached at t = {:.4e} s", 1e-9 * time),
         (None, None) => "still-attached".to_owned(),
     };
@@ -77,6 +83,8 @@ pub fn rate(
         );
         lines.push(("events", text));
     }
+    let looked_for = scene.looked_for();
+    lines.extend(passed_lines(&PassedAt::of_rate(pulled, &looked_for), &looked_for, &units));
     lines.extend([("energy", energy), ("end", how), ("computed", effort)]);
     in_columns(&scene.title, &lines)
 }

@@ -1,12 +1,13 @@
 //! The summary of the pull-off of a seta.
 
+use super::found::passed_lines;
 use super::layout::in_columns;
 use super::number::short;
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
-use peelkit_report::{SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
+use peelkit_report::{PassedAt, SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
 /// A work or a force below this share of the largest is round-off.
@@ -27,7 +28,8 @@ pub fn seta(
         largest(|point| point.displacement),
         largest(|point| point.work.abs()),
     ];
-    let Units { force, length, work } = Units::fitting(wanted, sizes);
+    let units = Units::fitting(wanted, sizes);
+    let Units { force, length, work } = units;
     let tips = model.seta.tips();
     let counted = if tips == 1 { "1 tip".to_owned() } else { format!("{tips} tips") };
     let at = |moment: Option<SetaMoment>| match moment {
@@ -62,6 +64,8 @@ pub fn seta(
             ),
         ),
     ]);
+    let looked_for = scene.looked_for();
+    lines.extend(passed_lines(&PassedAt::of_pull_off(pull_off, &looked_for), &looked_for, &units));
     if let Some(peak) = &pull_off.peak {
         lines.push(("error of the mesh", mesh_error(converged, peak, scene.accuracy.relative)));
     }

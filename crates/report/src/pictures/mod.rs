@@ -5,6 +5,7 @@ mod curve;
 pub(crate) mod fit;
 pub(crate) mod followed;
 mod in_space;
+pub(crate) mod marked;
 pub(crate) mod observed;
 pub(crate) mod optimisation;
 pub mod peel;

@@ -1,5 +1,6 @@
 //! The picture of a test: force against the machine's displacement, there and back.
 
+use super::marked::mark_found;
 use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
@@ -10,6 +11,7 @@ use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
 use crate::error::ReportError;
 use crate::names::jump_title;
+use crate::records::passed::PassedAt;
 use peelkit::study::{LoadingDirection, Observed};
 use peelkit::units::WORKS;
 use std::path::{Path, PathBuf};
@@ -18,15 +20,22 @@ const HEIGHT: u32 = 460;
 /// Most jumps that are labelled; all are drawn.
 const LABELLED: usize = 6;
 
-/// Draws `observed.svg` and `observed.png` into `dir`: what is recorded as the machine retreats and comes back, jumps dashed.
+/// Draws `observed.svg` and `observed.png` into `dir`: what is recorded as the machine retreats and comes back, jumps dashed, with stations and events.
 ///
 /// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_observed(test: &Observed, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_observed(
+    test: &Observed,
+    passed: &[PassedAt],
+    title: &str,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     if test.points.len() < 2 {
         let reason = format!("the test has {} points", test.points.len());
         return Err(ReportError::Draw { path: dir.join("observed.svg"), reason });
     }
-    save(&picture(test, title), dir, "observed")
+    let mut picture = picture(test, title);
+    mark_found(&mut picture.panels, &passed.iter().map(PassedAt::marked).collect::<Vec<_>>());
+    save(&picture, dir, "observed")
 }
 
 fn picture(test: &Observed, title: &str) -> Picture {

@@ -2,6 +2,7 @@
 
 use super::curve::{add_branch, curve_picture, limit_at, mark_loss, nearest_to};
 use super::in_space;
+use super::marked::{Marked, mark_found};
 use super::shapes::{Posed, shapes_picture};
 use crate::chart::output::save;
 use crate::chart::picture::Picture;
@@ -28,16 +29,17 @@ pub fn draw_peel(
     title: &str,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_peel_with_branch(peel, out_of_plane, None, title, dir)
+    draw_peel_with_branch(peel, out_of_plane, None, &[], title, dir)
 }
 
-/// The same with the branch that leaves the plane at the first loss, in the same pictures.
+/// The same with the branch that leaves the plane at the first loss, and with what is `marked` on the path, in the same pictures.
 ///
 /// Fails as [`draw_peel`].
 pub fn draw_peel_with_branch(
     peel: &Peel,
     out_of_plane: Option<&OutOfPlane>,
     branch: Option<&OutOfPlaneBranch>,
+    marked: &[Marked],
     title: &str,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -50,6 +52,7 @@ pub fn draw_peel_with_branch(
     if let Some(branch) = branch {
         add_branch(&mut picture, branch);
     }
+    mark_found(&mut picture.panels, marked);
     let mut files = save(&picture, dir, "curve")?;
     files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);
     Ok(files)

@@ -10,6 +10,8 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
+use crate::pictures::marked::{Marked, mark_found};
+use crate::records::passed::PassedAt;
 use std::path::{Path, PathBuf};
 
 /// Heights of the panels, where the first one begins, and what is between them, pixels.
@@ -26,7 +28,7 @@ const SHOWN: f64 = 1.1;
 /// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_rate(
     dir: &Path,
-    pulled: &PulledAtRate,
+    (pulled, passed): (&PulledAtRate, &[PassedAt]),
     equilibria: &Equilibria,
     title: &str,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -34,7 +36,10 @@ pub fn draw_rate(
         let reason = format!("the pull at a rate has {} points", pulled.points.len());
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
-    save(&picture(pulled, equilibria, title), dir, "curve")
+    let mut picture = picture(pulled, equilibria, title);
+    let marked: Vec<Marked> = passed.iter().map(PassedAt::marked).collect();
+    mark_found(&mut picture.panels[..1], &marked);
+    save(&picture, dir, "curve")
 }
 
 fn picture(pulled: &PulledAtRate, equilibria: &Equilibria, title: &str) -> Picture {

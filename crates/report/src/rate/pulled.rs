@@ -1,7 +1,10 @@
 //! A pull at a rate as it is reported, of a beam or of a seta, and the equilibria beside it.
 
 use peelkit::solve::time::EnergyBalance;
-use peelkit::study::{InTimePeak, InTimePoint, Peel, PullInTime, SetaInTime, SetaInTimePoint, SetaPullOff};
+use peelkit::study::{
+    Bound, InTimePeak, InTimePoint, InTimeStation, Peel, PullInTime, SetaInTime, SetaInTimePoint, SetaInTimeStation,
+    SetaPullOff,
+};
 
 /// What adheres at one time.
 #[derive(Clone, Copy, Debug)]
@@ -57,11 +60,30 @@ impl PointAtRate {
     }
 }
 
+/// A station of a pull at a rate, or where an event of the user lies.
+#[derive(Clone, Copy, Debug)]
+pub struct StationAtRate {
+    /// Which one of those that were looked for
+    pub event: usize,
+    /// There
+    pub point: PointAtRate,
+    /// Of a beam, nm
+    pub free_end_gap: Option<f64>,
+    /// Whether the quantity jumps past the value
+    pub jumped: bool,
+    /// It lies behind this one of the points
+    pub after: usize,
+}
+
 /// A pull at a rate.
 #[derive(Clone, Debug)]
 pub struct PulledAtRate {
     /// Every step, from rest on
     pub points: Vec<PointAtRate>,
+    /// Stations and events of the user, in time
+    pub stations: Vec<StationAtRate>,
+    /// The event that stopped it, if one has
+    pub stopped: Option<Bound>,
     /// The largest force: of a beam by a parabola through the three steps next to it, of a seta that of a step
     pub peak: Option<InTimePeak>,
     /// When nothing adhered any more for the first time, ns
@@ -76,12 +98,26 @@ pub struct PulledAtRate {
     pub elements: usize,
 }
 
+impl From<&InTimeStation> for StationAtRate {
+    fn from(&InTimeStation { event, point, free_end_gap, after }: &InTimeStation) -> Self {
+        Self { event, point: (&point).into(), free_end_gap: Some(free_end_gap), jumped: false, after }
+    }
+}
+
+impl From<&SetaInTimeStation> for StationAtRate {
+    fn from(&SetaInTimeStation { event, point, jumped, after }: &SetaInTimeStation) -> Self {
+        Self { event, point: (&point).into(), free_end_gap: None, jumped, after }
+    }
+}
+
 impl From<&PullInTime> for PulledAtRate {
     fn from(pulled: &PullInTime) -> Self {
         let points: Vec<PointAtRate> = pulled.points.iter().map(PointAtRate::from).collect();
         Self {
             peak: pulled.peak.or_else(|| largest(&points)),
             points,
+            stations: pulled.stations.iter().map(StationAtRate::from).collect(),
+            stopped: pulled.stopped.clone(),
             contact_lost: pulled.contact_lost,
             imbalance: pulled.balance_error(),
             tried: pulled.tried,
@@ -98,6 +134,8 @@ impl From<&SetaInTime> for PulledAtRate {
         Self {
             peak: largest(&points),
             points,
+            stations: pulled.stations.iter().map(StationAtRate::from).collect(),
+            stopped: pulled.stopped.clone(),
             contact_lost: lost.map(|point| point.time),
             imbalance: pulled.balance_error(),
             tried: pulled.tried,
@@ -155,6 +193,7 @@ impl PulledAtRate {
     pub fn end(&self, has_failed: bool) -> &'static str {
         match self.contact_lost {
             _ if has_failed => "failed",
+            _ if self.stopped.is_some() => "event",
             Some(_) => "detached",
             None => "still-attached",
         }

@@ -3,6 +3,7 @@
 use super::pulled::{Contact, Equilibria, PointAtRate, PulledAtRate, SlowPeak};
 use crate::number::S_PER_NS;
 use crate::record::{Fields, Record};
+use crate::records::passed::PassedAt;
 use crate::records::summary::{Found, Summary};
 use crate::reference::Output;
 use crate::seta::names::TipEvents;
@@ -15,6 +16,7 @@ use peelkit_scene::Scene;
 /// A pull at a rate and the equilibria beside it.
 #[derive(Clone, Copy, Debug)]
 pub struct RateFound<'a> {
+    scene: &'a Scene,
     pulled: &'a PulledAtRate,
     equilibria: &'a Equilibria,
     failed: Option<&'a str>,
@@ -38,9 +40,10 @@ pub type RateSummary<'a> = Summary<'a, RateFound<'a>>;
 impl Record for RateFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`: nothing adheres any more; `still-attached` where the grip came to rest before; `failed`: the computation stopped short", |found| found.pulled.end(found.failed.is_some()));
-        of.field("reason", "why it stopped short; else null", |found| found.failed);
+        of.field("end", "`detached`: nothing adheres any more; `still-attached` where the grip came to rest before; `event`: an event that stops; `failed`: the computation stopped short", |found| found.pulled.end(found.failed.is_some()));
+        of.field("reason", "why it stopped short, or the event; else null", |found| found.failed.map(str::to_owned).or_else(|| found.pulled.stopped.as_ref().map(ToString::to_string)));
         of.sometimes_part(|found| found.seta.as_ref());
+        of.sometimes("stations", "with `output.stations`, `output.events` or options of them: where they lie, in time", |found| Some(PassedAt::of_rate(found.pulled, &found.scene.looked_for())).filter(|found| !found.is_empty()));
         of.field("largest_force", "the largest force of the pull", |found| Some(Largest { at: found.pulled.peak?, next: found.pulled.next_to_peak()? }));
         of.field("contact_lost_s", "when nothing adheres any more for the first time; else null", |found| found.pulled.contact_lost.map(|time| S_PER_NS * time));
         of.field("equilibria_peak", "first peak of the equilibria of the same scene, of a seta its peak; null where they have none", |found| found.equilibria.peak);
@@ -148,7 +151,7 @@ impl<'a> RateSummary<'a> {
         failed: Option<&'a str>,
         [solve_s, equilibria_s]: [f64; 2],
     ) -> Self {
-        Summary::of(scene, RateFound { pulled, equilibria, failed, solve_s, equilibria_s, seta: None })
+        Summary::of(scene, RateFound { scene, pulled, equilibria, failed, solve_s, equilibria_s, seta: None })
     }
 
     /// With what a seta of so many tips has besides, whose law took so many seconds.

@@ -5,7 +5,8 @@ use crate::names::limit_point_kind_word;
 use crate::record::{Fields, Record};
 use peelkit::model::SpatialGrip;
 use peelkit::study::{
-    BranchPoint, LargestComputedForce, LimitPoint, OutOfPlaneLoss, Peak, Plateau, Station, StationAt, Stations,
+    BranchPoint, EventAt, Events, LargestComputedForce, LimitPoint, MissedStation, OutOfPlaneLoss, Peak, Plateau,
+    Station, StationAt, Stations,
 };
 
 impl Record for Peak {
@@ -133,8 +134,8 @@ impl Record for BranchPoint {
 impl Record for StationAt {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("quantity", "`displacement`, `force`, `front` or `end_rotation`", |at| at.quantity.name());
-        of.field("value", "its value that was asked for: nm, of a force nN, of a rotation rad", |at| at.value);
+        of.field("quantity", "`displacement`, `force`, `front`, `end_rotation` or `free_end_gap`; of a pull at a rate `time` as well", |at| at.quantity.name());
+        of.field("value", "its value that was asked for: nm, of a force nN, of a rotation rad, of a time ns", |at| at.value);
     }
 }
 
@@ -153,6 +154,8 @@ impl Record for Station {
         of.field("error_rad", "bound of the error of the rotation", |at| at.errors.map(|errors| errors.end_rotation));
         of.field("error_front_nm", "bound of the error of the length that still adheres", |at| at.errors.map(|errors| errors.front));
         of.field("after_point", "it lies behind this row of curve.csv, counted from 0", |at| at.after);
+        of.field("free_end_gap_nm", "distance of the nearer edge of the section at the free end, S = 0, from the ground", |at| at.free_end_gap);
+        of.field("error_gap_nm", "bound of the error of that distance", |at| at.errors.map(|errors| errors.free_end_gap));
     }
 }
 
@@ -163,10 +166,34 @@ impl Record for Stations {
         of.field("found", "the equilibria, in path order; empty where the path does not pass the value", |stations| stations.found.as_slice());
         of.field("least", "the least value on the path", |stations| finite(stations.range[0]));
         of.field("largest", "the largest value on the path", |stations| finite(stations.range[1]));
-        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", missed);
+        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", |stations| missed(&stations.missed));
     }
 }
 
-fn missed(stations: &Stations) -> Vec<String> {
-    stations.missed.iter().map(ToString::to_string).collect()
+fn missed(missed: &[MissedStation]) -> Vec<String> {
+    missed.iter().map(ToString::to_string).collect()
+}
+
+// -- Events of the user: where a quantity passes a value --
+
+impl Record for EventAt {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("name", "what the user calls it; the condition where it has no other name", |at| at.name.clone());
+        of.field("quantity", "as of a station; of a seta `attached` as well; `own` of a function in a program", |at| at.quantity.name());
+        of.field("value", "the value that it passes, in the unit of a station; tips of `attached`", |at| at.value);
+        of.field("passing", "`=` where it counts both ways, `>` where it rises past the value, `<` where it falls", |at| at.passing.sign());
+        of.field("action", "`record`, or `stop`: nothing is followed beyond it", |at| at.action.name());
+    }
+}
+
+impl Record for Events {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.part(|events| events.at.clone());
+        of.field("found", "the equilibria, in path order, as those of a station; empty where the path does not pass the value so", |events| events.found.as_slice());
+        of.field("least", "the least value on the path", |events| finite(events.range[0]));
+        of.field("largest", "the largest value on the path", |events| finite(events.range[1]));
+        of.field("missed", "why an equilibrium could not be computed where the path passes the value, a text each", |events| missed(&events.missed));
+    }
 }

@@ -6,6 +6,7 @@ pub(crate) mod model;
 pub(crate) mod observed;
 pub(crate) mod optimisation;
 mod out_of_plane;
+pub(crate) mod passed;
 pub(crate) mod path;
 pub(crate) mod peel;
 pub(crate) mod summary;
@@ -17,7 +18,7 @@ use super::reference::Output;
 
 /// What is written of peels, of their sweeps, and of what is made of many peels.
 pub(crate) fn outputs() -> Vec<Output> {
-    let peels = [peel::outputs(), path::outputs(), observed::outputs(), sweep::outputs()].concat();
+    let peels = [peel::outputs(), path::outputs(), passed::outputs(), observed::outputs(), sweep::outputs()].concat();
     let of_many = [fit::outputs(), optimisation::outputs(), uncertainty::outputs(), tip::outputs()].concat();
     [peels, of_many].concat()
 }

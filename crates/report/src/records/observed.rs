@@ -1,12 +1,14 @@
 //! The displacement-controlled test: observed.csv, and an object of summary.json. Units stand in the names.
 
 use super::located::finite;
+use super::passed::PassedAt;
 use crate::error::ReportError;
 use crate::names::{jump_word, test_end_reason, test_end_word};
 use crate::record::write_table;
 use crate::record::{Bounded, Fields, Record};
 use crate::reference::Output;
 use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, TestPoint, UnknownJumpError};
+use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};
 
 impl Record for TestPoint {
@@ -40,25 +42,32 @@ pub fn write_observed(dir: &Path, test: &Observed) -> Result<PathBuf, ReportErro
 pub struct ObservedSummary<'a> {
     test: &'a Observed,
     solve_s: f64,
+    scene: Option<&'a Scene>,
 }
 
 impl<'a> ObservedSummary<'a> {
     /// Of a test that took so many seconds.
     pub fn new(test: &'a Observed, solve_s: f64) -> Self {
-        Self { test, solve_s }
+        Self { test, solve_s, scene: None }
+    }
+
+    /// The same with the stations and events of its scene.
+    pub fn of_scene(self, scene: &'a Scene) -> Self {
+        Self { scene: Some(scene), ..self }
     }
 }
 
 impl Record for ObservedSummary<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`closed`, `returned`, `bonded-part-unstable`, `collapsed`, `bound` or `failed`", |found| test_end_word(&found.test.end));
+        of.field("end", "`closed`, `returned`, `bonded-part-unstable`, `collapsed`, `event`, `bound` or `failed`", |found| test_end_word(&found.test.end));
         of.field("reason", "why, where it is not `closed`", |found| test_end_reason(&found.test.end));
         of.bounded(["pull_off_force_nN", "pull_off_error_nN"], "the largest force on the stable retreat", |found| found.test.pull_off.map(|peak| Bounded::new(peak.force, peak.force_error)));
         of.field("pull_off_adheres", "what adheres at that force: `pad`, `edge` or `end face`", |found| found.test.pull_off.map(|peak| peak.adheres.word()));
         of.field("before_upright", "the largest force before the beam first stood on its end face; null where it never does", |found| found.test.before_upright);
         of.field("hysteresis_aJ", "∮ P dU", |found| found.test.hysteresis);
         of.field("jumps", "all jumps, in order", |found| found.test.jumps.as_slice());
+        of.sometimes("stations", "with `output.stations`, `output.events` or options of them: where they lie in the test, in its order", |found| Some(PassedAt::of_test(found.test, &found.scene?.looked_for())).filter(|found| !found.is_empty()));
         of.group("work_balance", "work of the machine against energy", |of| {
             of.field("retreat", "from rest to detachment", |found| found.test.retreat);
             of.field("cycle", "there and back", |found| found.test.cycle);

@@ -6,7 +6,7 @@ use crate::record::{Fields, Record};
 use crate::record::{table, write_text};
 use crate::reference::Output;
 use peelkit::model::SpatialGrip;
-use peelkit::study::{LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel, Station, StationAt, Stations};
+use peelkit::study::{EventAt, Events, LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel, Station, Stations};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -70,6 +70,28 @@ impl Record for LimitPointRow<'_> {
     }
 }
 
+/// A station, or where an event lies, as a row.
+struct StationRow {
+    at: EventAt,
+    station: Station,
+}
+
+impl StationRow {
+    fn of(at: EventAt, station: Station) -> Self {
+        Self { at, station }
+    }
+}
+
+impl Record for StationRow {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("quantity", "`displacement`, `force`, `front`, `end_rotation` or `free_end_gap`", |row| row.at.quantity.name());
+        of.field("value", "its value that was asked for: nm, of a force nN, of a rotation rad", |row| row.at.value);
+        of.part(|row| row.station);
+        of.field("event", "the name of an event of the user; empty of a station", |row| row.at.name.clone());
+    }
+}
+
 /// The grip at a limit point in space.
 struct GripOfLimitPoint(SpatialGrip);
 
@@ -101,7 +123,7 @@ pub(crate) fn outputs() -> Vec<Output> {
     vec![
         Output::table("curve.csv", <((&PathPoint, OutOfPlaneColumn), GripOfPoint)>::keys()),
         Output::table("limit_points.csv", <(LimitPointRow, GripOfLimitPoint)>::keys()),
-        Output::table("stations.csv", <((StationAt, Station), GripOfLimitPoint)>::keys()),
+        Output::table("stations.csv", <(StationRow, GripOfLimitPoint)>::keys()),
     ]
 }
 
@@ -144,12 +166,26 @@ pub fn write_limit_points(dir: &Path, peel: &Peel) -> Result<PathBuf, ReportErro
     write_text(dir, "limit_points.csv", with_grip(rows, GripOfLimitPoint))
 }
 
-/// Writes stations.csv: one row an equilibrium at a value that was asked for, those of one value in path order; in space with the columns of the grip.
+/// Writes stations.csv: one row an equilibrium at a value that was asked for, those of one value in path order, and behind them those of the events of
+/// the user; in space with the columns of the grip.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
-pub fn write_stations(dir: &Path, stations: &[Stations]) -> Result<PathBuf, ReportError> {
-    let rows = stations.iter().flat_map(|of| of.found.iter().map(|found| ((of.at, *found), found.in_space)));
-    write_text(dir, "stations.csv", with_grip(rows, GripOfLimitPoint))
+pub fn write_stations(dir: &Path, stations: &[Stations], events: &[Events]) -> Result<PathBuf, ReportError> {
+    let of_station =
+        |of: &Stations| of.found.iter().map(|&found| StationRow::of(of.at.into(), found)).collect::<Vec<_>>();
+    let of_event = |of: &Events| of.found.iter().map(|&found| StationRow::of(of.at.clone(), found)).collect::<Vec<_>>();
+    let rows = stations.iter().flat_map(of_station).chain(events.iter().flat_map(of_event));
+    write_text(
+        dir,
+        "stations.csv",
+        with_grip(
+            rows.map(|row| {
+                let grip = row.station.in_space;
+                (row, grip)
+            }),
+            GripOfLimitPoint,
+        ),
+    )
 }
 
 /// The text of a table, in space with the columns of the grip behind those of the row: in the plane no row has them.

@@ -11,7 +11,7 @@ use crate::reference::Output;
 use peelkit::beam::GripState;
 use peelkit::model::{Form, Step};
 use peelkit::solve::Pace;
-use peelkit::study::{Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel, Stations};
+use peelkit::study::{Events, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel, Stations};
 use peelkit_scene::Scene;
 
 /// A peel with what was asked for beside it.
@@ -23,6 +23,7 @@ pub struct PeelFound<'a> {
     out_of_plane: Option<OutOfPlaneFound<'a>>,
     observed: Option<ObservedSummary<'a>>,
     stations: &'a [Stations],
+    events: &'a [Events],
     sensitivities: Option<Vec<Sensitivity<'a>>>,
 }
 
@@ -70,6 +71,7 @@ impl Record for PeelFound<'_> {
         of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |found| Some(Ground { contact: found.peel.contact(0)?, largest_force: found.peel.largest_force() }));
         of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |found| found.peel.sliding_at_peak());
         of.sometimes("stations", "with `output.stations` or `--at`: the equilibria at the values that were asked for, a value each", |found| Some(found.stations).filter(|stations| !stations.is_empty()));
+        of.sometimes("events", "with `output.events`, `--event` or `--stop-at`: where the events of the user lie, an event each", |found| Some(found.events).filter(|events| !events.is_empty()));
         of.sometimes("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll", |found| found.out_of_plane);
         of.sometimes("observed", "with `--observed`: the displacement-controlled test", |found| found.observed);
         of.sometimes("sensitivities", "with `--sensitivities`: by which power of each parameter the results change; those of one result together, largest first", |found| found.sensitivities.as_deref());
@@ -151,14 +153,28 @@ impl<'a> PeelFound<'a> {
 impl<'a> PeelSummary<'a> {
     /// The summary of the peel of this scene, which took so many seconds.
     pub fn new(scene: &'a Scene, peel: &'a Peel, solve_s: f64) -> Self {
-        let found =
-            PeelFound { scene, peel, solve_s, out_of_plane: None, observed: None, stations: &[], sensitivities: None };
+        let found = PeelFound {
+            scene,
+            peel,
+            solve_s,
+            out_of_plane: None,
+            observed: None,
+            stations: &[],
+            events: &[],
+            sensitivities: None,
+        };
         Summary::of(scene, found)
     }
 
     /// The same with what a test of this scene would record, which took so many seconds.
     pub fn with_observed(mut self, test: &'a Observed, solve_s: f64) -> Self {
-        self.found.observed = Some(ObservedSummary::new(test, solve_s));
+        self.found.observed = Some(ObservedSummary::new(test, solve_s).of_scene(self.found.scene));
+        self
+    }
+
+    /// The same with where the events of its scene lie.
+    pub fn with_events(mut self, events: &'a [Events]) -> Self {
+        self.found.events = events;
         self
     }
 

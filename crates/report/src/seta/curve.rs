@@ -8,6 +8,8 @@ use crate::chart::panel::{Band, Line, Mark, Panel};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
+use crate::pictures::marked::{Marked, mark_found};
+use crate::records::passed::PassedAt;
 use peelkit::study::{SetaPoint, SetaPullOff, SetaState};
 
 /// Heights of the two panels, and where the first one begins and the second one, pixels.
@@ -17,7 +19,7 @@ const BETWEEN: f64 = 24.0;
 const TIPS: f64 = 130.0;
 
 /// The picture of a pull-off with two or more points.
-pub(super) fn picture(pull_off: &SetaPullOff, title: &str) -> Picture {
+pub(super) fn picture(pull_off: &SetaPullOff, passed: &[PassedAt], title: &str) -> Picture {
     let travels = travels(&pull_off.points);
     let micro: Vec<f64> = travels.iter().map(|travel| travel / MICRO).collect();
     let of = |value: fn(&SetaPoint) -> f64| -> Vec<(f64, f64)> {
@@ -35,6 +37,12 @@ pub(super) fn picture(pull_off: &SetaPullOff, title: &str) -> Picture {
     force.lines.insert(0, Line::plain(zero, Stroke::solid(colour::GREY, 0.9)));
     force.bands = bands(&pull_off.points, &micro);
     force.marks = marks(pull_off, &micro);
+    let place = |at: &PassedAt| {
+        let first = pull_off.points.iter().position(|point| Some(point.step + 1) == at.step)?;
+        let before = micro[first] - pull_off.points[first].displacement / MICRO;
+        Some(Marked { name: at.name.clone(), at: (before + at.displacement / MICRO, at.force / MICRO) })
+    };
+    mark_found(std::slice::from_mut(&mut force), &passed.iter().filter_map(place).collect::<Vec<_>>());
     let y = Axis::around("tips attached", attached.iter().map(|at| at.1).chain([0.0]), false);
     let label = "distance that the root has moved (µm)";
     let mut tips = Panel::of_lines(second, x(label), y, vec![Line::plain(attached, stroke)]);

@@ -2,7 +2,7 @@
 
 use crate::record::{Fields, Record};
 use peelkit::model::TipBranch;
-use peelkit::study::{SetaEnd, SetaPullOff, TipChange};
+use peelkit::study::{Bound, SetaEnd, SetaPullOff, TipChange};
 
 /// The name of the end of a pull-off in outputs.
 pub fn seta_end_word(pull_off: &SetaPullOff) -> &'static str {
@@ -14,6 +14,7 @@ pub(super) fn end_word(end: &SetaEnd, attached: usize) -> &'static str {
     match end {
         SetaEnd::Completed if attached > 0 => "still-attached",
         SetaEnd::Completed => "detached",
+        SetaEnd::Bound(Bound::Event { .. }) => "event",
         SetaEnd::Bound(_) => "bound",
         SetaEnd::Failed(_) => "failed",
     }

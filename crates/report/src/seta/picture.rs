@@ -10,6 +10,7 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::error::ReportError;
+use crate::records::passed::PassedAt;
 use peelkit::model::Seta;
 use peelkit::study::{SetaPullOff, SetaState};
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ const HEIGHT: u32 = 480;
 pub fn draw_pull_off(
     dir: &Path,
     pull_off: &SetaPullOff,
-    seta: &Seta,
+    (seta, passed): (&Seta, &[PassedAt]),
     title: &str,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let caption = match names::seta_end_reason(&pull_off.end) {
@@ -35,7 +36,7 @@ pub fn draw_pull_off(
         let reason = format!("the pull-off has {} points", pull_off.points.len());
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
-    let mut files = save(&curve::picture(pull_off, &caption), dir, "curve")?;
+    let mut files = save(&curve::picture(pull_off, passed, &caption), dir, "curve")?;
     let moments: Vec<(&str, &SetaState)> = [
         ("first detachment", &pull_off.first_detachment),
         ("peak", &pull_off.peak),

@@ -2,6 +2,7 @@
 
 use super::names::{TipEvents, seta_end_reason, seta_end_word};
 use crate::record::{Fields, Record};
+use crate::records::passed::PassedAt;
 use crate::records::summary::{Found, Summary};
 use crate::reference::Output;
 use peelkit::model::{CurvePoint, PullCurve, Seta};
@@ -12,6 +13,7 @@ use peelkit_scene::Scene;
 /// A pull-off and what was found beside it.
 #[derive(Clone, Copy, Debug)]
 pub struct SetaFound<'a> {
+    scene: &'a Scene,
     seta: &'a Seta,
     tip: &'a PullCurve,
     pull_off: &'a SetaPullOff,
@@ -30,7 +32,7 @@ pub type SetaSummary<'a> = Summary<'a, SetaFound<'a>>;
 impl Record for SetaFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |found| seta_end_word(found.pull_off));
+        of.field("end", "`detached`; `still-attached` where tips adhere when the root has moved as far as the seta is high; `event`: an event that stops; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |found| seta_end_word(found.pull_off));
         of.field("reason", "why, with numbers; null where the end says it", |found| seta_end_reason(&found.pull_off.end));
         of.field("tips", "number of tips", |found| found.seta.tips());
         of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |found| found.pull_off.peak.as_ref().map(|state| Moment { state, converged: found.converged }));
@@ -42,6 +44,7 @@ impl Record for SetaFound<'_> {
             of.part(|found| TipEvents::of(found.pull_off.events.iter().map(|event| &event.tips[..])));
             of.field("buckled", "events that begin with beams that buckle: a loss of stability in which no tip takes part", |found| found.pull_off.events.iter().filter(|event| event.cause == EventCause::Buckling).count());
         });
+        of.sometimes("stations", "with `output.stations`, `output.events` or options of them: where they lie, in the order of the pull-off", |found| Some(PassedAt::of_pull_off(found.pull_off, &found.scene.looked_for())).filter(|found| !found.is_empty()));
         of.group("balance", "what became of the work of the root, over all steps", |of| {
             of.field("work_aJ", "the work", |found| found.pull_off.points.last().map_or(0.0, |last| last.work));
             of.field("released_aJ", "energy released in events", |found| found.pull_off.points.last().map_or(0.0, |last| last.released));
@@ -226,8 +229,18 @@ impl<'a> SetaSummary<'a> {
         (pull_off, converged): (&'a SetaPullOff, Option<&'a ConvergedPeak>),
         [tip_s, solve_s, mesh_error_s]: [f64; 3],
     ) -> Self {
-        let found =
-            SetaFound { seta, tip, pull_off, converged, table: None, outside: None, tip_s, solve_s, mesh_error_s };
+        let found = SetaFound {
+            scene,
+            seta,
+            tip,
+            pull_off,
+            converged,
+            table: None,
+            outside: None,
+            tip_s,
+            solve_s,
+            mesh_error_s,
+        };
         Summary::of(scene, found)
     }
 

@@ -73,7 +73,7 @@ impl Key {
             Misfit::BesideSeta => ValueError::new(
                 "is given, and the scene has a [seta], which has no such key",
                 format!(
-                    "Remove `{name}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
+                    "Remove `{name}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [output], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
                 ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(

@@ -82,7 +82,8 @@ pub(crate) static ACCURACY: Table = table(
     BesideSeta::These(&["relative", "order"]),
 );
 pub(crate) static PATH: Table = table("path", "As far as what the path is followed.", BesideSeta::None);
-pub(crate) static OUTPUT: Table = table("output", "Where the path is computed besides.", BesideSeta::None);
+pub(crate) static OUTPUT: Table =
+    table("output", "Where the path is computed besides, and what is looked for on the way.", BesideSeta::All);
 pub(crate) static BOUNDS: Table = table("bounds", "Where a computation stops at the latest.", BesideSeta::All);
 pub(crate) static FIT: Table = Table {
     name: "fit",

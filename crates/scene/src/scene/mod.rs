@@ -9,7 +9,7 @@ pub(crate) mod studies;
 use bounds::BoundsTable;
 use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
-use peelkit::study::{self, Accuracy, PeelQuantity, SetaTimeAccuracy, StationAt};
+use peelkit::study::{self, Accuracy, EventAt, PeelQuantity, SetaTimeAccuracy, StationAt};
 use rate::TimeTable;
 use seta::SetaTable;
 use solid::SolidTable;
@@ -38,6 +38,8 @@ pub struct Scene {
     pub bounds: BoundsTable,
     /// Where the path is computed besides.
     pub stations: Vec<StationAt>,
+    /// What is looked for on the way.
+    pub events: Vec<EventAt>,
     /// What `peel fit` determines, where the scene says so.
     pub fit: Option<FitTable>,
     /// What is optimised, where the scene says so; `peel optimise` does it.
@@ -131,6 +133,7 @@ impl Scene {
             solid: None,
             time: None,
             stations: Vec::new(),
+            events: Vec::new(),
             fit: None,
             optimisation: None,
             uncertainty: None,
@@ -140,6 +143,11 @@ impl Scene {
 }
 
 impl Scene {
+    /// Stations and events, as a run looks for them on its way.
+    pub fn looked_for(&self) -> Vec<EventAt> {
+        self.stations.iter().map(|&at| at.into()).chain(self.events.iter().cloned()).collect()
+    }
+
     /// What it describes.
     pub fn describes(&self) -> Described<'_> {
         match (&self.time, &self.seta, &self.solid) {

@@ -2,6 +2,7 @@
 
 mod bounded;
 pub(crate) mod fit;
+pub(crate) mod measured;
 pub(crate) mod optimise;
 pub(crate) mod output;
 pub(crate) mod rate;

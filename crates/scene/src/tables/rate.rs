@@ -117,12 +117,11 @@ fn not_covered(scene: &Scene) -> Option<(String, ValueError)> {
         (model.grip.pretension.is_some(), "has a `grip.pretension`"),
         (scene.accuracy.terms == Terms::Auto, "has terms = \"auto\""),
         (scene.bounds.until != FollowedUntil::End, "has a `path.until`"),
-        (!scene.stations.is_empty(), "has `output.stations`"),
     ];
     let (_, what) = not_covered.into_iter().find(|(is_there, _)| *is_there)?;
     let problem = ValueError::new(
         format!("is given, and the scene {what}, which is not followed in time"),
-        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension, `path.until`, `output.stations` and a grip that turns.",
+        "Remove [time] to follow the equilibria, or give a beam in the plane on flat ground with all terms, without friction, steps, pretension, `path.until` and a grip that turns.",
     );
     Some((format!("{TABLE}.rate"), problem))
 }

@@ -8,7 +8,7 @@ use crate::value::form::Form;
 use crate::value::{Fault, Value, quoted};
 use peelkit::model::SolidSettings;
 use peelkit::solid::{Grading, MOST_SOLID_ORDER, Plane, SolidContact, SolidElement, SolidGrip, SolidMaterial};
-use peelkit::study::{Choice, FollowedUntil, StationQuantity, Terms};
+use peelkit::study::{Choice, FollowedUntil, Terms};
 use std::ops::Range;
 
 /// The table of a scene.
@@ -90,11 +90,6 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
             scene.bounds.until == FollowedUntil::Detachment,
             "path.until",
             "is followed to the end or to its first limit points",
-        ),
-        (
-            scene.stations.iter().any(|at| at.quantity != StationQuantity::Displacement),
-            "output.stations",
-            "has stations at displacements alone",
         ),
     ];
     let found = of_beams.into_iter().find(|(is_given, ..)| *is_given).map(|(_, key, why)| {

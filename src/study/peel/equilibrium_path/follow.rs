@@ -1,5 +1,6 @@
 //! One path on one mesh: followed to its end, every limit point on it located, none missed without a report.
 
+use super::event_end::{end_at_event, event_passed};
 use super::path_end::{Followed, is_next_to_plane, step, stopped_by_model};
 use super::path_refinement::{fill_in, sharpen};
 use crate::beam::planar::chain::NodeState;
@@ -27,6 +28,7 @@ fn points_allowed(elements: usize) -> usize {
 
 /// Follows the path and locates its limit points.
 pub(in crate::study::peel) fn follow(
+    model: &PeelModel,
     problem: &BeamProblem,
     options: PathOptions,
     far: f64,
@@ -55,7 +57,9 @@ pub(in crate::study::peel) fn follow(
         if path.points().len() > points.max(taken) {
             path.waypoint().into_iter().for_each(|newest| (limits.checkpoint.keep)(&options, newest));
         }
+        let passed = if stepped.is_ok() { event_passed(model, problem, path.points(), limits.stop) } else { None };
         match stepped {
+            Ok(_) if let Some(event) = passed => break Ok(event),
             Ok(None) => {}
             // on finer elements the path may turn back before the pole
             Ok(Some(PathEnd::Upright(upright))) => break Err(PathFailure::NearUpright(upright)),
@@ -109,6 +113,7 @@ pub(in crate::study::peel) fn follow(
         should_stop: limits.should_stop(),
     };
     followed.finish(problem, far);
+    end_at_event(model, problem, &mut followed, limits.stop);
     // who interrupts it waits for its limit points alone
     if followed.trouble.is_none() && followed.end != PathEnd::Bound(Bound::Interrupted) {
         let mut ws = followed.workspace();
@@ -260,8 +265,15 @@ mod tests {
         let problem = model.problem(Form::TwoField, accuracy.order()).unwrap();
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let limits = Limits { stop: &StopCriteria::after_points(5000), checkpoint: &Checkpoint::NOTHING };
-        let mut followed =
-            follow(&problem, options, 4.0, accuracy.relative, &limits, &Budget::of(limits.stop, options.elements));
+        let mut followed = follow(
+            &model,
+            &problem,
+            options,
+            4.0,
+            accuracy.relative,
+            &limits,
+            &Budget::of(limits.stop, options.elements),
+        );
         assert!(followed.check_inertia(&problem, accuracy.relative).is_ok());
         let located = followed.turns.iter().position(|turn| turn.0 == LimitPointKind::Displacement).unwrap();
         let (_, after, _) = followed.turns.remove(located);

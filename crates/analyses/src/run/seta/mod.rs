@@ -12,8 +12,8 @@ use by_table::{Pull, Pulled};
 use follow::{Followed, KeptSeta};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable};
-use peelkit::study::{self, Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState};
-use peelkit_report::{self as report, Journal, JournalKind, ReportError, SetaSummary, timed};
+use peelkit::study::{self, Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState, StopCriteria};
+use peelkit_report::{self as report, Journal, JournalKind, PassedAt, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
 use std::io;
@@ -78,7 +78,8 @@ impl Analysis for SetaRun<'_> {
         let Self { scene, table, asked } = *self;
         let states = (asked.states.unwrap_or(0) as usize).max(if asked.animate { FRAMES } else { 0 });
         let mut kept = KeptSeta::open(session, scene, &Sampler::new(states))?;
-        let stop = session.stop(scene);
+        let plain = session.stop(scene);
+        let stop = StopCriteria { events: scene.looked_for(), ..plain.clone() };
         session.stage("law of the tips");
         let (tip, tip_s) = timed(|| tip_curve(scene));
         let tip = tip.map_err(Refusal::cut_short)?;
@@ -91,7 +92,7 @@ impl Analysis for SetaRun<'_> {
         let Pulled { model, law, followed, outside } = pulled?;
         session.stage("peak on finer meshes");
         let (pull_off, wanted) = (&followed.pull_off, scene.accuracy.relative);
-        let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted, &stop));
+        let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted, &plain));
         let peak = peak.map_err(|error| Refusal::Other(error.to_string()))?;
         // nothing of what comes behind the pull-off is kept
         let asked_to_stop = session.watcher.nothing_more_is_kept();
@@ -162,8 +163,12 @@ impl Outcome for SetaOutcome {
             report::write_tip_curve(dir, &self.tip)?,
             report::write_parameters(dir, scene, command)?,
         ];
+        let passed = PassedAt::of_pull_off(pull_off, &scene.looked_for());
+        if !passed.is_empty() {
+            files.push(report::write_passed(dir, &passed)?);
+        }
         if pull_off.points.len() > 1 {
-            files.extend(report::draw_pull_off(dir, pull_off, seta, &scene.title)?);
+            files.extend(report::draw_pull_off(dir, pull_off, (seta, &passed), &scene.title)?);
         }
         if let Some(count) = self.asked.states {
             let states = self.states(count as usize);

@@ -102,10 +102,15 @@ pub(super) fn of_stations() -> Vec<Check> {
     read(STATIONS).iter().filter_map(|row| of_station(&peel, row)).flatten().collect()
 }
 
+/// Digits of a reference that a station is judged by.
+const LEAST_DIGITS: f64 = 9.0;
+
 /// What is not given at the station of a row, and how far its bounds are used up.
 fn of_station(peel: &Peel, row: &Row) -> Option<[Check; 2]> {
     let (name, value, passing) = (row.text("quantity")?, row.number("value")?, row.number("passing")?);
-    let (_, quantity) = StationQuantity::NAMED.into_iter().find(|named| named.0 == name)?;
+    // where a quantity hardly changes the reference has too few digits to judge by
+    let enough = row.number("digits_relative")? >= LEAST_DIGITS;
+    let (_, quantity) = StationQuantity::NAMED.into_iter().find(|named| enough && named.0 == name)?;
     let given = if quantity == StationQuantity::EndRotation { value.to_radians() } else { value };
     let stations = peel.stations(StationAt { quantity, value: given });
     let found = stations.found.get((passing as usize).checked_sub(1)?);
