@@ -6,7 +6,7 @@
 use super::law::RootLaw;
 use super::potential::Potential;
 use super::scatter::RootOffset;
-use crate::study::coarsening::RootResponse;
+use crate::study::coarsening::seta_law::RootResponse;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

@@ -186,25 +186,12 @@ impl Lamella {
         self.law.stiffness().map(|row| row.map(|own| own * self.columns as f64))
     }
 
-    /// Forces on each row at the places of a state, with the setae that `lost` of the events have left.
-    pub fn row_forces(&self, places: &[Vector3<f64>], lost: &[ArrayEvent]) -> Vec<[f64; 2]> {
-        let (array, _) = self.array();
-        let mut out = vec![[0.0; 2]; self.rows];
-        let on = sheets_after(self.rows, self.columns, lost);
-        for node in 0..array.chain.nodes() {
-            if array.clusters[node].is_none() {
-                continue;
-            }
-            let row = array.rows[node];
-            for column in 0..self.columns {
-                let offset = self.scatter.of(row * self.columns + column);
-                if let Some(sheet) = self.law.sheet(usize::from(on[row * self.columns + column]), offset.strength) {
-                    let force = sheet.potential.response([places[node].x, places[node].y - offset.height]).force;
-                    (0..2).for_each(|i| out[row][i] += force[i]);
-                }
-            }
-        }
-        out
+    /// The node on which a row stands: those behind where it is pulled from the far end, then those before it from the front.
+    pub(super) fn node_of(&self, row: usize) -> usize {
+        let front = usize::from(self.overhang > 0.0);
+        let (place, count) = (row + front, self.rows + front);
+        let pulled = self.pulled_at.map_or(0, |row| row + front);
+        if place > pulled { count - 1 - place } else { count - 1 - pulled + place }
     }
 
     fn carries_shear(&self) -> bool {

@@ -5,7 +5,7 @@
 //! A strength s scales the law: exits lie at s c, and what softens does so from there.
 
 use super::potential::Potential;
-use crate::study::coarsening::{ExitPlane, SetaLaw};
+use crate::study::coarsening::seta_law::{ExitPlane, SetaLaw};
 use serde::{Deserialize, Serialize};
 
 /// Along the normal of the ground.

@@ -11,6 +11,8 @@ use peelkit::model::{Body, ProfileForm};
 enum Misfit {
     /// It has a seta, which has no such key.
     BesideSeta,
+    /// It has an array of setae, which has no such key.
+    BesideArray,
     /// It does not have the table.
     NoTable,
     /// It is in the plane.
@@ -29,6 +31,9 @@ impl Key {
     }
 
     fn misfit(&self, scene: &Scene) -> Option<Misfit> {
+        if scene.array.is_some() && !self.of.stands_beside_setae(self.name) {
+            return Some(Misfit::BesideArray);
+        }
         if scene.seta.is_some() && !self.of.beside_seta.has(self.name) {
             return Some(Misfit::BesideSeta);
         }
@@ -75,6 +80,10 @@ impl Key {
                 format!(
                     "Remove `{name}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
                 ),
+            ),
+            Misfit::BesideArray => ValueError::new(
+                "is given, and the scene has [setae], an array, which has no such key",
+                format!("Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], and `angle` of [drive]."),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(
                 format!("is a key of [{table}], and the scene peels a [{}]", body_of(scene)),
