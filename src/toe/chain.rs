@@ -33,6 +33,8 @@ pub struct Chain {
     behind: Vec<Option<usize>>,
     /// The nodes before each
     before: Vec<Vec<usize>>,
+    /// From each node to the one behind: how far along the ground, and the section
+    pieces: Vec<Option<(f64, BandSection)>>,
     /// Stiffness of the bands at each node, and between it and the one behind
     own: Vec<Matrix3<f64>>,
     across: Vec<Matrix3<f64>>,
@@ -50,6 +52,7 @@ impl Chain {
         Self {
             behind: vec![None; nodes],
             before: vec![Vec::new(); nodes],
+            pieces: vec![None; nodes],
             own: zero.clone(),
             across: zero.clone(),
             held: zero.clone(),
@@ -68,6 +71,7 @@ impl Chain {
         self.own[node] += end(1.0);
         self.own[behind] += end(-1.0);
         self.across[node] = Matrix3::new(-ea, 0.0, 0.0, 0.0, -12.0 * ei, a, 0.0, -a, 2.0 * b);
+        self.pieces[node] = Some((along, *section));
         self.behind[node] = Some(behind);
         self.before[behind].push(node);
     }
@@ -126,14 +130,17 @@ impl Chain {
         }
     }
 
-    /// Elastic energy of the bands alone, aJ.
+    /// Elastic energy of the bands alone, aJ. By the strains of each piece: places alone would cancel where a band moves without bending.
     pub fn energy(&self, places: &[Vector3<f64>]) -> f64 {
         let mut out = 0.0;
-        for node in 0..self.nodes() {
-            out += 0.5 * places[node].dot(&(self.own[node] * places[node]));
-            if let Some(behind) = self.behind[node] {
-                out += places[node].dot(&(self.across[node] * places[behind]));
-            }
+        for (node, piece) in self.pieces.iter().enumerate() {
+            let (Some((along, section)), Some(behind)) = (piece, self.behind[node]) else { continue };
+            let (here, there) = (&places[node], &places[behind]);
+            let length = along.abs();
+            let chord = (there.y - here.y) / along;
+            let (a, b) = (here.z - chord, there.z - chord);
+            out += 0.5 * section.axial / length * (there.x - here.x).powi(2);
+            out += 2.0 * section.bending / length * (a * a + a * b + b * b);
         }
         out
     }

@@ -44,6 +44,8 @@ impl PartialOrd for Waiting {
 #[derive(Clone, Debug)]
 pub struct Cluster {
     law: RootLaw,
+    /// Of the exit of each sheet
+    normals: Vec<[f64; 2]>,
     setae: Vec<RootOffset>,
     /// Sheet of each
     on: Vec<u8>,
@@ -63,6 +65,7 @@ impl Cluster {
         let sheets = law.sheets();
         let mut out = Self {
             law: law.clone(),
+            normals: (0..sheets).filter_map(|sheet| Some(law.sheet(sheet, 1.0)?.exit.direction)).collect(),
             on: vec![0; setae.len()],
             counts: vec![0; sheets + 1],
             total: Potential::ZERO,
@@ -97,11 +100,11 @@ impl Cluster {
                 first = Some(NextExit { from, to, ahead });
             }
         };
-        for sheet in 0..self.law.sheets() {
+        for sheet in 0..self.normals.len() {
             if self.counts[sheet] == 0 {
                 continue;
             }
-            let forwards = self.normal(sheet);
+            let forwards = self.normals[sheet];
             let (speed, at) = (dot(forwards, direction), dot(forwards, root));
             if speed > 0.0
                 && let Some(place) = self.first_of(sheet, true)
@@ -109,7 +112,7 @@ impl Cluster {
                 take(sheet, sheet + 1, (place - at) / speed);
             }
             if sheet > 0 {
-                let back = self.normal(sheet - 1);
+                let back = self.normals[sheet - 1];
                 let (speed, at) = (dot(back, direction), dot(back, root));
                 if speed < 0.0
                     && let Some(place) = self.first_of(sheet, false)
@@ -178,10 +181,6 @@ impl Cluster {
             heap.pop();
         }
         None
-    }
-
-    fn normal(&self, sheet: usize) -> [f64; 2] {
-        self.law.sheet(sheet, 1.0).map_or([0.0; 2], |own| own.exit.direction)
     }
 }
 

@@ -15,6 +15,8 @@ use serde::{Deserialize, Serialize};
 const MOST_CHANGES: usize = 4;
 /// Events from one balance of energies to the next.
 const BALANCED: usize = 256;
+/// Events after which it is asked whether to stop.
+pub const ASKED: usize = 64;
 
 /// Setae change their sheet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -53,6 +55,8 @@ pub enum ArrayEnd {
     NoFurtherExit,
     /// As many events as were asked for
     Events,
+    /// It was asked to stop
+    Stopped,
 }
 
 /// Why no events can be followed.
@@ -125,11 +129,11 @@ impl LoadedArray {
         Self { chain, clusters, rows, grows: Vec::new(), stays: Vec::new(), held_along: None, at_rest }
     }
 
-    /// Follows the events until the end, or as many as `most`.
+    /// Follows the events until the end, as many as `most`, or until it is `stopped`.
     ///
     /// # Errors
     /// A singular stiffness, numbers that are not finite, setae that change to and fro, or what stays being too much.
-    pub fn follow(mut self, most: usize) -> Result<Followed, ArrayFailure> {
+    pub fn follow(mut self, most: usize, stopped: &dyn Fn() -> bool) -> Result<Followed, ArrayFailure> {
         let setae: usize = self.clusters.iter().flatten().map(Cluster::setae).sum();
         let mut out =
             Followed { events: Vec::new(), peak: 0, at_peak: Vec::new(), end: ArrayEnd::Detached, imbalance: 0.0 };
@@ -172,8 +176,8 @@ impl LoadedArray {
                     (lift, 0.0)
                 }
             };
-            if number >= most {
-                out.end = ArrayEnd::Events;
+            if number >= most || (number % ASKED == 0 && stopped()) {
+                out.end = if number >= most { ArrayEnd::Events } else { ArrayEnd::Stopped };
                 return Ok(out);
             }
             let Some((node, next)) = self.next(&line) else {
@@ -293,7 +297,9 @@ impl LoadedArray {
             return None;
         }
         along.iter_mut().for_each(|own| *own /= by);
-        start.iter_mut().zip(&along).for_each(|(own, along)| *own -= along * at);
+        if !proportional {
+            start.iter_mut().zip(&along).for_each(|(own, along)| *own -= along * at);
+        }
         Some(Line { start, along, load: [-at / by, by.recip()], proportional })
     }
 

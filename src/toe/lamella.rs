@@ -135,6 +135,20 @@ impl Lamella {
     /// # Errors
     /// What [`Lamella::check`] refuses; what cannot be followed.
     pub fn follow(&self, drive: ArrayDrive, stays: [f64; 3], most: usize) -> Result<Followed, ArrayError> {
+        self.follow_until(drive, stays, most, &|| false)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    /// As of [`Lamella::follow`].
+    pub fn follow_until(
+        &self,
+        drive: ArrayDrive,
+        stays: [f64; 3],
+        most: usize,
+        stopped: &dyn Fn() -> bool,
+    ) -> Result<Followed, ArrayError> {
         self.check()?;
         if !self.carries_shear() && (drive.unit().x != 0.0 || stays[0] != 0.0) {
             return Err(ArrayError::NoShear);
@@ -142,7 +156,7 @@ impl Lamella {
         let (mut array, pulled) = self.array();
         array.grows = vec![(pulled, drive.unit())];
         array.stays = vec![(pulled, Vector3::from(stays))];
-        Ok(array.follow(most)?)
+        Ok(array.follow(most, stopped)?)
     }
 
     /// Forces along the ground and off it on each row, under a load of one along the ground at the row `sheared`, and off it where it is pulled.

@@ -5,7 +5,7 @@
 //! place, which is a height like any other.
 
 use super::cluster::Cluster;
-use super::events::{ArrayEnd, ArrayEvent};
+use super::events::{ASKED, ArrayEnd, ArrayEvent};
 use super::lamella::{ArrayError, checked_scatter, checked_size};
 use super::law::RootLaw;
 use super::scatter::{RootOffset, Scatter};
@@ -80,6 +80,14 @@ impl Patch {
     /// # Errors
     /// A law, a size or a scatter that is none, and setae that do not adhere at the start.
     pub fn follow(&self) -> Result<PatchFollowed, ArrayError> {
+        self.follow_until(&|| false)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    /// As of [`Patch::follow`].
+    pub fn follow_until(&self, stopped: &dyn Fn() -> bool) -> Result<PatchFollowed, ArrayError> {
         self.check()?;
         let mut cluster = Cluster::new(&self.law, self.offsets());
         let mut place = [0.0, -self.press];
@@ -99,6 +107,10 @@ impl Patch {
             let direction = unit(step.angle);
             let mut left = step.distance.unwrap_or(f64::INFINITY);
             while cluster.adhering() > 0 {
+                if out.events.len() % ASKED == 0 && stopped() {
+                    out.end = ArrayEnd::Stopped;
+                    break;
+                }
                 let next = cluster.next(place, direction);
                 // what one event brings beyond its exit goes at once, at the same place
                 let ahead = next.map_or(f64::INFINITY, |next| next.ahead.max(0.0)).min(left);

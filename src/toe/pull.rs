@@ -58,14 +58,14 @@ pub struct ArrayPull {
 }
 
 impl SetaArray {
-    /// Every event, or as many as `most`.
+    /// Every event, until it is stopped.
     ///
     /// # Errors
     /// What cannot be followed.
-    pub fn pull(&self, most: usize) -> Result<ArrayPull, ArrayError> {
+    pub fn pull(&self, stopped: &dyn Fn() -> bool) -> Result<ArrayPull, ArrayError> {
         match self {
             Self::Patch(patch) => {
-                let found = patch.follow()?;
+                let found = patch.follow_until(stopped)?;
                 let peak = (!found.events.is_empty()).then_some(found.peak);
                 let forces: Vec<Option<f64>> = match peak {
                     Some(peak) => {
@@ -85,11 +85,11 @@ impl SetaArray {
                 Ok(ArrayPull { rows, forces, columns: patch.columns, ..pull })
             }
             Self::Lamella(band, drive) => {
-                let found = band.follow(*drive, [0.0; 3], most)?;
+                let found = band.follow_until(*drive, [0.0; 3], usize::MAX, stopped)?;
                 Ok(of_band(found, [band.rows, band.columns], (&band.law, &band.scatter), |row| band.node_of(row)))
             }
             Self::Toe(toe, drive) => {
-                let found = toe.follow(*drive, [0.0; 3], most)?;
+                let found = toe.follow_until(*drive, [0.0; 3], usize::MAX, stopped)?;
                 let band = &toe.lamella;
                 Ok(of_band(found, toe.size(), (&band.law, &band.scatter), |row| toe.node_of(row)))
             }

@@ -60,6 +60,20 @@ impl Toe {
     /// # Errors
     /// What [`Toe::check`] refuses; what cannot be followed.
     pub fn follow(&self, drive: ArrayDrive, stays: [f64; 3], most: usize) -> Result<Followed, ArrayError> {
+        self.follow_until(drive, stays, most, &|| false)
+    }
+
+    /// The same, until it is stopped.
+    ///
+    /// # Errors
+    /// As of [`Toe::follow`].
+    pub fn follow_until(
+        &self,
+        drive: ArrayDrive,
+        stays: [f64; 3],
+        most: usize,
+        stopped: &dyn Fn() -> bool,
+    ) -> Result<Followed, ArrayError> {
         self.check()?;
         let shear = self.lamella.law.stiffness()[0][0] > 0.0;
         if !shear && (drive.unit().x != 0.0 || stays[0] != 0.0) {
@@ -70,7 +84,7 @@ impl Toe {
         array.grows = vec![(distal, drive.unit())];
         array.stays = vec![(distal, Vector3::from(stays))];
         array.held_along = (!shear).then(|| (distal, self.pad.axial / self.pitch));
-        Ok(array.follow(most)?)
+        Ok(array.follow(most, stopped)?)
     }
 
     /// Rows over all lamellae, and setae in each.

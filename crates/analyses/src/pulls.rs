@@ -9,7 +9,7 @@ use peelkit::study::uncertainty::{Outcome, Sampled};
 use peelkit::study::{
     Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, SolidPathEnd, SolidPeel, Stage, StopCriteria, StopReason,
 };
-use peelkit::toe::ArrayPull;
+use peelkit::toe::{ArrayEnd, ArrayPull};
 use peelkit_report::{PulledAtRate, RateResult, SolidResult, seta_end_reason, timed};
 use peelkit_scene::{ArrayTable, Described, Scene, UncertaintyTable};
 use std::sync::OnceLock;
@@ -72,7 +72,7 @@ impl Pulls {
                 Ok(Pulled { peak: peak.map(|at| (at.force, at.displacement, at.error)), work: None, curve })
             }
             Described::Array(table) => {
-                let pull = array(scene, table)?;
+                let pull = array(scene, table, stop)?;
                 let peak = pull.peak.and_then(|peak| pull.events.get(peak)).map(|at| (at.load, at.lift, None));
                 Ok(Pulled { peak, work: Some(pull.work), curve: of_array(&pull) })
             }
@@ -102,7 +102,7 @@ impl Pulls {
                 let peel = peeled(scene, table, stop.clone());
                 Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
-            Described::Array(table) => Ok(of_array(&array(scene, table)?)),
+            Described::Array(table) => Ok(of_array(&array(scene, table, stop)?)),
             Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
             Described::Peel => Err(A_PEEL.to_owned()),
         }
@@ -141,15 +141,17 @@ fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
 }
 
 /// The pull of the array of a scene.
-fn array(scene: &Scene, table: &ArrayTable) -> Result<ArrayPull, String> {
+fn array(scene: &Scene, table: &ArrayTable, stop: &StopCriteria) -> Result<ArrayPull, String> {
     let array = scene.seta_array(table).ok_or("its setae stand on nothing")?;
-    array.pull(usize::MAX).map_err(|error| error.to_string())
+    let stopped = || stop.should_stop.as_ref().is_some_and(|asked| asked(Stage::Path).is_some());
+    array.pull(&stopped).map_err(|error| error.to_string())
 }
 
 fn of_array(pull: &ArrayPull) -> PulledCurve {
     let jumps = pull.events.iter().filter(|event| event.starts_jump);
     let mut curve = PulledCurve::of(jumps.map(|event| (event.lift, event.load)));
     curve.detached = pull.events.last().filter(|last| last.adhering == 0).map(|last| last.lift);
+    curve.short = (pull.end == ArrayEnd::Stopped).then(|| "it was stopped".to_owned());
     curve
 }
 

@@ -257,7 +257,7 @@ pub static KEYS: &[Key] = &[
     key(&LAMELLA, "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut lamella(s).youngs_modulus), "Young's modulus E of the band").titled("Young's modulus", "E"),
     key(&LAMELLA, "overhang", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut lamella(s).overhang), "band in front of the first row").titled("band in front of the first row", "a"),
     key(&LAMELLA, "pulled_at", Optional, Kind::Fixed(1_000_000, |s| &mut lamella(s).pulled_at), "row at which it is pulled, from 1 on; none: its end").titled("row at which the band is pulled", ""),
-    key(&LAMELLA, "load", Optional, choice!(LOADS, "\"moment\"", |s| &mut lamella(s).load), "what grows there: a force, or a moment that turns or presses the end"),
+    key(&LAMELLA, "load", Optional, choice!(LOADS, "\"moment\"", |s| &mut lamella(s).load), "a force, or a moment that turns or presses its end"),
     key(&LAMELLA, "pretension", Optional, Kind::Measure(Force, Range::From(0.0, 1e30), |s| &mut lamella(s).pretension), "tension in which it adheres, for the steady force").titled("tension of the band", "T₀"),
     key(&TOE, "lamellae", Optional, Kind::Count(10_000, |s| &mut toe(s).lamellae), "lamellae on the pad").titled("lamellae on the pad", ""),
     key(&TOE, "lamella_pitch", Optional, Kind::Quantity(Length, |s| &mut toe(s).pitch), "distance of neighbouring lamellae").titled("distance of neighbouring lamellae", ""),

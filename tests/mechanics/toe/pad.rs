@@ -79,7 +79,7 @@ fn every_event_of_a_small_toe() {
     let small = Toe { lamellae: 3, pitch: 8.0 * PITCH, lamella: band, ..toe(Some(2)) };
     let found = small.follow(LIFT, [0.0; 3], usize::MAX).unwrap();
     assert!(found.imbalance < 1e-6 && found.end == ArrayEnd::Mechanism, "{:?} {}", found.end, found.imbalance);
-    let pull = SetaArray::Toe(small, LIFT).pull(usize::MAX).unwrap();
+    let pull = SetaArray::Toe(small, LIFT).pull(&|| false).unwrap();
     assert_eq!((pull.events.len(), pull.setae), (found.events.len(), 72));
     assert_relative_eq!(pull.work, pull.released, max_relative = 1e-6);
     // what all rows carry is the load

@@ -3,6 +3,7 @@
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::session::Session;
+use peelkit::study::Stage;
 use peelkit::toe::{ArrayEnd, ArrayPull, SetaArray};
 use peelkit_report::{self as report, ArraySummary, ReportError, timed};
 use peelkit_scene::{ArrayTable, Scene};
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 /// The pull of an array.
 pub struct ArrayRun<'s> {
+    scene: &'s Scene,
     table: &'s ArrayTable,
     array: SetaArray,
 }
@@ -32,7 +34,7 @@ impl<'s> ArrayRun<'s> {
         let table = scene.array.as_ref().ok_or_else(|| Refusal::scene("it has no table [setae]", "Add one."))?;
         let array = scene.seta_array(table);
         let array = array.ok_or_else(|| Refusal::scene("its setae stand on nothing", "Add [patch] or [lamella]."))?;
-        Ok(Self { table, array })
+        Ok(Self { scene, table, array })
     }
 }
 
@@ -44,6 +46,7 @@ pub struct ArrayOutcome {
     pub pull: ArrayPull,
     /// That they took
     pub seconds: f64,
+    interrupted: bool,
 }
 
 impl Analysis for ArrayRun<'_> {
@@ -51,9 +54,11 @@ impl Analysis for ArrayRun<'_> {
 
     fn run(&self, session: &Session) -> Result<ArrayOutcome, Refusal> {
         session.stage("events of the array");
-        let (pull, seconds) = timed(|| self.array.pull(usize::MAX));
+        let stop = session.stop(self.scene);
+        let stopped = || stop.should_stop.as_ref().is_some_and(|asked| asked(Stage::Path).is_some());
+        let (pull, seconds) = timed(|| self.array.pull(&stopped));
         let pull = pull.map_err(|error| Refusal::asked(error.to_string(), "Change the scene as it says."))?;
-        Ok(ArrayOutcome { table: self.table.clone(), pull, seconds })
+        Ok(ArrayOutcome { table: self.table.clone(), pull, seconds, interrupted: session.watcher.asked() })
     }
 }
 
@@ -64,7 +69,7 @@ impl Outcome for ArrayOutcome {
     }
 
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
-        let Self { table, pull, seconds } = self;
+        let Self { table, pull, seconds, .. } = self;
         let mut files = vec![ArraySummary::new(scene, table, pull, *seconds).with_command(command).write(dir)?];
         files.extend(report::write_array_tables(dir, pull)?);
         files.push(report::write_parameters(dir, scene, command)?);
@@ -79,6 +84,11 @@ impl Outcome for ArrayOutcome {
             ArrayEnd::NoFurtherExit => End::CutShort(
                 "no seta comes nearer to its exit as the load grows: change the direction of the load".to_owned(),
             ),
+            ArrayEnd::Stopped if self.interrupted => End::Interrupted { done: None, short: None },
+            ArrayEnd::Stopped => End::CutShort(format!(
+                "bounds.time has passed after {} events: the peak may lie ahead",
+                self.pull.events.len()
+            )),
             _ => End::Done,
         }
     }

@@ -16,6 +16,8 @@ use std::path::{Path, PathBuf};
 
 /// Most events that are drawn: others lie closer than a pixel.
 const DRAWN: usize = 3000;
+/// Share of the peak below which the tail of a curve is left out.
+const SHOWN: f64 = 0.01;
 /// Most setae of a map along one side.
 const SIDE: usize = 120;
 
@@ -37,13 +39,15 @@ pub fn draw_array(dir: &Path, table: &ArrayTable, pull: &ArrayPull, title: &str)
     let all = curve(pull);
     let kept = all.len().div_ceil(2 * DRAWN).max(1);
     let held: Vec<(f64, f64)> = all.into_iter().step_by(kept).map(scaled).collect();
+    let end = shown(&held);
+    let [held, events] = [held, events].map(|own| own.into_iter().filter(|at| at.0 <= end).collect::<Vec<_>>());
     let x = Axis::around(x_label, held.iter().chain(&events).map(|at| at.0), false);
     let y = Axis::around(y_label, held.iter().chain(&events).map(|at| at.1).chain([0.0]), false);
     let lines = vec![
         Line::plain(events, Stroke::solid(colour::GREY, 1.0)),
         Line::plain(held, Stroke::solid(colour::BLUE, 1.6)),
     ];
-    let mut panel = Panel::of_lines(Frame::across(), x, y, lines);
+    let mut panel = Panel::of_lines(below_title(), x, y, lines);
     let value = format!("{} {}", significant(peak.load * y_of, 4), if moment { "µN µm" } else { "µN" });
     panel.marks.push(Mark::labelled(scaled((peak.lift, peak.load)), colour::INK, &["peak", &value]));
     panel.title =
@@ -54,6 +58,19 @@ pub fn draw_array(dir: &Path, table: &ArrayTable, pull: &ArrayPull, title: &str)
     Ok(files)
 }
 
+/// The panel below two titles.
+fn below_title() -> Frame {
+    let across = Frame::across();
+    Frame { top: across.top + 16.0, ..across }
+}
+
+/// How far the curve is shown: to where the load, behind its peak, has fallen for good to a hundredth of it.
+fn shown(held: &[(f64, f64)]) -> f64 {
+    let peak = held.iter().map(|at| at.1).fold(0.0, f64::max);
+    let last = held.iter().rposition(|at| at.1 > SHOWN * peak);
+    1.05 * last.and_then(|last| held.get(last + 1).or(held.last())).map_or(0.0, |at| at.0)
+}
+
 /// Force of every seta of a patch, or of one in so many, as colour; a detached one is left out.
 fn map(pull: &ArrayPull) -> Panel {
     let columns = pull.columns;
@@ -62,7 +79,7 @@ fn map(pull: &ArrayPull) -> Panel {
     let largest = pull.forces.iter().flatten().map(|force| force.abs()).fold(f64::MIN_POSITIVE, f64::max);
     let x = Axis::linear("column", 0.5, columns as f64 + 0.5);
     let y = Axis::linear("row", 0.5, rows as f64 + 0.5);
-    let mut panel = Panel::new(Frame::across(), x, y);
+    let mut panel = Panel::new(below_title(), x, y);
     let half = 0.5 * every as f64;
     for row in (0..rows).step_by(every) {
         for column in (0..columns).step_by(every) {
@@ -105,7 +122,7 @@ fn rows(table: &ArrayTable, pull: &ArrayPull, load: f64) -> Panel {
     if with_closed {
         lines.push(Line::plain(closed, Stroke::solid(colour::VERMILLION, 1.2)));
     }
-    let mut panel = Panel::of_lines(Frame::across(), x, y, lines);
+    let mut panel = Panel::of_lines(below_title(), x, y, lines);
     panel.title = if with_closed {
         "just before the peak; red: half-infinite smeared band, nothing detached".to_owned()
     } else {

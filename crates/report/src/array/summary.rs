@@ -22,7 +22,7 @@ pub type ArraySummary<'a> = Summary<'a, ArrayFound<'a>>;
 impl Record for ArrayFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`; `mechanism`: what adheres is one row, about which the band swings; `no-further-exit`: no seta comes nearer to its exit; `bound`: as many events as `[bounds]` allows", |found| array_end_word(found.pull.end));
+        of.field("end", "`detached`; `mechanism`: what adheres is one row, about which the band swings; `no-further-exit`: no seta comes nearer to its exit; `bound`: `bounds.time` has passed", |found| array_end_word(found.pull.end));
         of.field("load", "what grows: `force`, nN, with its lift in nm; or `moment`, nN nm, with its lift in rad", |found| if found.is_moment() { "moment" } else { "force" });
         of.field("setae", "how many", |found| found.pull.setae);
         of.field("detached", "how many of them detach", |found| found.pull.detached);
@@ -115,7 +115,7 @@ pub fn array_end_word(end: ArrayEnd) -> &'static str {
         ArrayEnd::Detached => "detached",
         ArrayEnd::Mechanism => "mechanism",
         ArrayEnd::NoFurtherExit => "no-further-exit",
-        ArrayEnd::Events => "bound",
+        ArrayEnd::Events | ArrayEnd::Stopped => "bound",
     }
 }
 

@@ -83,7 +83,9 @@ impl Key {
             ),
             Misfit::BesideArray => ValueError::new(
                 "is given, and the scene has [setae], an array, which has no such key",
-                format!("Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], and `angle` of [drive]."),
+                format!(
+                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive] and `time` of [bounds]."
+                ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(
                 format!("is a key of [{table}], and the scene peels a [{}]", body_of(scene)),

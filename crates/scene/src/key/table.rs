@@ -32,6 +32,7 @@ impl Table {
     pub(crate) fn stands_beside_setae(&self, name: &str) -> bool {
         match self.name {
             "setae" | "patch" | "lamella" | "toe" => true,
+            "bounds" => name == "time",
             "" => name == "title",
             "drive" => name == "angle",
             _ => false,
