@@ -37,7 +37,14 @@ class Band:
         self.green = np.abs(self.x[:, None] - self.x[None, :]) ** 3 * self.scale
 
     def deflection(self, springs, at=0, moment=False):
-        """Of a unit load. Unknown: forces on the beam by the springs, a and b."""
+        """Of a unit load, at the rows."""
+        matrix, right = self.system(springs, at, moment)
+        # rows of very different size
+        size = np.abs(matrix).max(axis=1)
+        return np.linalg.solve(matrix / size[:, None], right / size)[: len(self.x)]
+
+    def system(self, springs, at=0, moment=False):
+        """Of a unit load, for the deflections at the rows, a and b."""
         n = len(self.x)
         matrix = np.zeros((n + 2, n + 2))
         right = np.zeros(n + 2)
@@ -53,9 +60,7 @@ class Band:
         else:
             right[:n] = self.green[:, at]
             right[n], right[n + 1] = 1.0, self.x[at] / unit
-        # rows of very different size
-        size = np.abs(matrix).max(axis=1)
-        return np.linalg.solve(matrix / size[:, None], right / size)[:n]
+        return matrix, right
 
 
 def losses(band, spring, reach, most):
@@ -98,10 +103,9 @@ def patches():
         yield "P1", f"bundle of 100 {name}", float(max((100 - i) * ordered[i] for i in range(100)) / 100)
     for radius, count in [(2000.0, 61), (20000.0, 121)]:
         place = PITCH * (np.arange(count) - (count - 1) / 2)
-        rise = ((place[:, None] ** 2 + place[None, :] ** 2) / (2 * radius)).ravel()
-        # before the loss of a seta the apex is at u_c less its rise
-        heights = np.unique(REACH - rise)
-        force = [STIFFNESS * np.sum((z + rise)[z + rise <= REACH * (1 + 1e-12)]) for z in heights]
+        rise = np.sort(((place[:, None] ** 2 + place[None, :] ** 2) / (2 * radius)).ravel())
+        # before the loss of a seta the apex is at u_c less its rise; of equal ones the last one counts
+        force = STIFFNESS * (np.arange(1, len(rise) + 1) * (REACH - rise) + np.cumsum(rise))
         yield "P4", f"sphere {radius:.0f} um pull-off uN", float(max(force))
     for name, radius, gap in [("seta", RADIUS, PITCH - 2 * RADIUS), ("branch", 0.1, 0.8)]:
         modulus, work = 2000.0, 0.0307
@@ -158,13 +162,20 @@ def lamellae():
     band, rows = Band(278, PITCH, BENDING), 278
     limits = np.sort(REACH * scattered(rows * COLUMNS, 0.2).reshape(rows, COLUMNS), axis=1)
     lost, forces = np.zeros(rows, dtype=int), []
-    for _ in range(1100):
-        w = band.deflection(STIFFNESS * (COLUMNS - lost))
+    for event in range(1100):
+        if event % 50 == 0:
+            matrix, right = band.system(STIFFNESS * (COLUMNS - lost))
+            inverse = np.linalg.inv(matrix)
+        w = (inverse @ right)[:rows]
         waiting = np.where(lost < COLUMNS, limits[np.arange(rows), np.minimum(lost, COLUMNS - 1)], np.inf)
         load = np.where(w > 0, waiting / np.where(w > 0, w, 1.0), np.inf)
         first = int(np.argmin(load))
         forces.append(load[first])
         lost[first] += 1
+        # a spring is one column of the system: the inverse changes by a product of two vectors
+        change = -STIFFNESS * np.concatenate([band.green[:, first], [1.0, band.x[first] / band.x[-1]]])
+        moved = inverse @ change
+        inverse -= np.outer(moved, inverse[first]) / (1.0 + moved[first])
     yield "Z", "peak uN", max(forces)
     yield "Z", "event of the peak", int(np.argmax(forces)) + 1
 
