@@ -14,7 +14,7 @@
 //! # Ok::<(), &'static str>(())
 //! ```
 //!
-//! The modules build on one another: `adhesion` and `solve` on nothing, `beam` on both, `model` on `beam`, `study` on `model`.
+//! The modules build on one another: `adhesion` and `solve` on nothing, `beam` on both, `model` on `beam`, `study` on `model`, `toe` on the law of a seta in `study`.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
@@ -30,6 +30,7 @@ pub mod model;
 pub mod solid;
 pub mod solve;
 pub mod study;
+pub mod toe;
 pub mod units;
 
 /// What most programs that peel something need.

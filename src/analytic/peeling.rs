@@ -28,6 +28,22 @@ pub fn sliding_force(rest_adhesion: f64, axial_stiffness: f64, angle: f64) -> f6
     quadratic_root(across * across / (2.0 * axial_stiffness), lift, -rest_adhesion)
 }
 
+/// The force, nN, of a tape that adheres with the tension T0 in it: P²/2EA + P(1 - (1 + T0/EA) cos θ) + T0²/2EA = Γb.
+///
+/// `energy` Γb in nN, `axial` EA and `tension` T0 in nN, `angle` θ in rad. None where the tape peels by itself, T0 > √(2 EA Γb).
+pub fn pretensioned_force(energy: f64, axial: f64, tension: f64, angle: f64) -> Option<f64> {
+    let left = energy - tension * tension / (2.0 * axial);
+    // the root of a x² + b x = left without cancellation, whatever the sign of b
+    let b = 2.0 * (0.5 * angle).sin().powi(2) - tension / axial * angle.cos();
+    let root = (b * b + 2.0 * left / axial).sqrt();
+    (left > 0.0).then(|| if b > 0.0 { 2.0 * left / (b + root) } else { axial * (root - b) })
+}
+
+/// The tension at which a tape peels by itself, nN: √(2 EA Γb).
+pub fn self_peeling_tension(energy: f64, axial: f64) -> f64 {
+    (2.0 * axial * energy).sqrt()
+}
+
 /// The positive root of a x² + b x = c for a, c > 0 and b >= 0, without cancellation.
 fn quadratic_root(a: f64, b: f64, c: f64) -> f64 {
     2.0 * c / (b + (b * b + 4.0 * a * c).sqrt())

@@ -1,5 +1,6 @@
 //! The command `peel`, run as a user runs it.
 
+mod array;
 mod checkpoints;
 mod coarsen;
 mod coarsen_stops;

@@ -14,4 +14,5 @@ mod solid;
 mod solve;
 mod study;
 mod time;
+mod toe;
 mod uncertainty;

@@ -1,6 +1,7 @@
 //! The text of a scene: what it may hold, what it means, and every message about it.
 
 mod any_text;
+mod array;
 mod conflicts;
 mod fit;
 mod friction;

@@ -43,6 +43,10 @@ fn every_example_that_messages_give_is_right() {
                 SETA.replace("[seta]", "[seta]\ntip_law = \"table\"")
             }
             "seta" => SETA.to_owned(),
+            "setae" if key.name == "last_reach" => "[setae]\nreach = \"5 um\"\n[lamella]\n".to_owned(),
+            "setae" | "lamella" => "[setae]\n[lamella]\n".to_owned(),
+            "patch" => "[setae]\n[patch]\npress = \"3 mm\"\n".to_owned(),
+            "toe" => "[setae]\n[lamella]\n[toe]\n".to_owned(),
             "solid" => format!("{MINIMAL}[solid]\n"),
             "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),

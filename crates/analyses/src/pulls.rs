@@ -9,8 +9,9 @@ use peelkit::study::uncertainty::{Outcome, Sampled};
 use peelkit::study::{
     Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, SolidPathEnd, SolidPeel, Stage, StopCriteria, StopReason,
 };
+use peelkit::toe::{ArrayEnd, ArrayPull};
 use peelkit_report::{PulledAtRate, RateResult, SolidResult, seta_end_reason, timed};
-use peelkit_scene::{Described, Scene, UncertaintyTable};
+use peelkit_scene::{ArrayTable, Described, Scene, UncertaintyTable};
 use std::sync::OnceLock;
 
 /// Of a scene that has no pull.
@@ -39,6 +40,7 @@ impl Pulls {
         let what = match scene.describes() {
             Described::Rate(..) => "pulls at a rate",
             Described::Solid(_) => "peels of a solid",
+            Described::Array(_) => "pulls of an array of setae",
             Described::Seta(_) => "pull-offs of a seta",
             Described::Peel => return None,
         };
@@ -69,6 +71,11 @@ impl Pulls {
                 let peak = found.peak.filter(|_| curve.short.is_none());
                 Ok(Pulled { peak: peak.map(|at| (at.force, at.displacement, at.error)), work: None, curve })
             }
+            Described::Array(table) => {
+                let pull = array(scene, table, stop)?;
+                let peak = pull.peak.and_then(|peak| pull.events.get(peak)).map(|at| (at.load, at.lift, None));
+                Ok(Pulled { peak, work: Some(pull.work), curve: of_array(&pull) })
+            }
             Described::Seta(table) => {
                 let (pull_off, found) = self.setae.pulled_off(scene, table, stop)?;
                 let whole = !found.end.is_cut_short();
@@ -95,6 +102,7 @@ impl Pulls {
                 let peel = peeled(scene, table, stop.clone());
                 Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
+            Described::Array(table) => Ok(of_array(&array(scene, table, stop)?)),
             Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
             Described::Peel => Err(A_PEEL.to_owned()),
         }
@@ -129,6 +137,21 @@ fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
     curve.detached = lost.map(|point| point.displacement);
     curve.short = seta_end_reason(&pull_off.end);
     curve.interrupted = matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+    curve
+}
+
+/// The pull of the array of a scene.
+fn array(scene: &Scene, table: &ArrayTable, stop: &StopCriteria) -> Result<ArrayPull, String> {
+    let array = scene.seta_array(table).ok_or("its setae stand on nothing")?;
+    let stopped = || stop.should_stop.as_ref().is_some_and(|asked| asked(Stage::Path).is_some());
+    array.pull(&stopped).map_err(|error| error.to_string())
+}
+
+fn of_array(pull: &ArrayPull) -> PulledCurve {
+    let jumps = pull.events.iter().filter(|event| event.starts_jump);
+    let mut curve = PulledCurve::of(jumps.map(|event| (event.lift, event.load)));
+    curve.detached = pull.events.last().filter(|last| last.adhering == 0).map(|last| last.lift);
+    curve.short = (pull.end == ArrayEnd::Stopped).then(|| "it was stopped".to_owned());
     curve
 }
 

@@ -168,6 +168,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
             "stopping at the next point of the path, then locating the limit points of what was reached; Ctrl-C again stops at once",
         ),
         Analysis::Solid(_) => Some("stopping at the next point of the path; Ctrl-C again stops at once"),
+        Analysis::Array(_) => None,
         Analysis::Seta(_) => Some("stopping at the next equilibrium of the seta; Ctrl-C again stops at once"),
         Analysis::Rate(_) => Some("stopping at the next step in time; Ctrl-C again stops at once"),
     };
@@ -177,6 +178,9 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         RunOutcome::Peel(found) => of_peel(&scene, found, wanted),
         RunOutcome::Solid(found) => {
             text_summary::solid::solid(&scene, &found.peel, found.long.as_ref(), found.seconds, wanted)
+        }
+        RunOutcome::Array(found) => {
+            text_summary::array::array(&scene, &found.table, &found.pull, found.seconds, wanted)
         }
         RunOutcome::Seta(found) => of_seta(&scene, found, wanted),
         RunOutcome::Rate(found) => of_rate(&scene, found, wanted),

@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 mod animation;
+mod array;
 pub mod chart;
 mod checkpoint;
 mod error;
@@ -28,6 +29,9 @@ mod unknown_error;
 
 pub use animation::frames::{Pose, poses};
 pub use animation::write_animation;
+pub use array::picture::draw_array;
+pub use array::summary::{ArrayFound, ArraySummary, array_end_word};
+pub use array::tables::write_array_tables;
 pub use checkpoint::journal::{Journal, JournalKind};
 pub use checkpoint::part::{DividedSweep, Part, PartAxis, PartHeader, PartialCollection, SweepPart};
 pub use error::ReportError;

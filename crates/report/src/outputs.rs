@@ -1,11 +1,12 @@
 //! All tables and objects that are written, each with its keys: what the pages in `docs/reference/outputs` are made of.
 
 use super::reference::Output;
-use super::{rate, records, seta, solid, states};
+use super::{array, rate, records, seta, solid, states};
 
 /// Every table and every object.
 pub fn outputs() -> Vec<Output> {
-    [records::outputs(), states::outputs(), seta::outputs(), rate::outputs(), solid::outputs()].concat()
+    [records::outputs(), states::outputs(), seta::outputs(), rate::outputs(), solid::outputs(), array::outputs()]
+        .concat()
 }
 
 #[cfg(test)]

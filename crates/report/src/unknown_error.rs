@@ -15,6 +15,9 @@ pub fn unknown_error(scene: &Scene) -> Option<&'static str> {
              smaller time.tolerance"
         }
         Described::Solid(_) => "the errors of the mesh of the solid have no bound: compare with a smaller solid.along",
+        Described::Array(_) => {
+            "events are exact for the law of the setae that is given; how wrong that law is stands beside no result"
+        }
         Described::Seta(_) => {
             "the bound on the error of the largest force is that of the mesh of the branches; the error of the law of the \
              tips is not in it, and other results have no bound"

@@ -5,10 +5,10 @@ use crate::body::{BODIES, body_of, set_body, set_space};
 use crate::conflict::Conflict;
 use crate::error::{Origin, SceneError, ValueError, nearest, one_line};
 use crate::key::kind::{Key, Kind};
-use crate::key::table::{SETA, SOLID, TIME};
+use crate::key::table::{SETA, SETAE, SOLID, TIME};
 use crate::keys::{KEYS, find_key, tables};
 use crate::scene::{Described, Scene};
-use crate::tables::{rate, seta, solid};
+use crate::tables::{array, rate, seta, solid};
 use crate::value::Value;
 use crate::value::quantity::Comma;
 use peelkit::model::{Adhesion, Space};
@@ -49,6 +49,7 @@ impl Scene {
         match scene.describes() {
             Described::Rate(..) => Err(rate::refused(&file, header_of(text, TIME.name))),
             Described::Solid(_) => Err(solid::refused(&file, header_of(text, SOLID.name))),
+            Described::Array(_) => Err(array::refused(&file, header_of(text, SETAE.name))),
             Described::Seta(_) => Err(seta::refused(&file, header_of(text, SETA.name))),
             Described::Peel => Ok(scene),
         }

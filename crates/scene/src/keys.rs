@@ -6,10 +6,11 @@ use crate::key::choice::{ENDS, HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attra
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
-    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, OPTIMISE, OUTPUT, PATH, PROFILE, SETA, SOLID, SPATULA,
-    STRIP, SUBSTRATE, TIME, TOP, Table, UNCERTAINTY,
+    ACCURACY, ADHESION, BOUNDS, DRIVE, FIT, FRICTION, GRIP, LAMELLA, OPTIMISE, OUTPUT, PATCH, PATH, PROFILE, SETA,
+    SETAE, SOLID, SPATULA, STRIP, SUBSTRATE, TIME, TOE, TOP, Table, UNCERTAINTY,
 };
 use crate::scene::Scene;
+use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
 use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
 use crate::tables::{fit, optimise, output, rate, seta, solid, uncertainty};
 use crate::value::quantity::{
@@ -108,6 +109,23 @@ impl Key {
         Self { of_space: true, ..self }
     }
 }
+
+/// The tables of an array of setae.
+fn setae(scene: &mut Scene) -> &mut ArrayTable {
+    scene.array_table()
+}
+fn patch(scene: &mut Scene) -> &mut PatchTable {
+    setae(scene).patch_table()
+}
+fn lamella(scene: &mut Scene) -> &mut LamellaTable {
+    setae(scene).lamella_table()
+}
+fn toe(scene: &mut Scene) -> &mut ToeTable {
+    setae(scene).toe_table()
+}
+
+/// Of a seta in an array: along what its reach is measured.
+const EXIT_ANGLES: Range = Range::Between(0.0, std::f64::consts::PI);
 
 /// What the tolerance of a table of tips may be.
 const TIP_TOLERANCES: Range = Range::From(CoarseningOptions::TOLERANCES[0], CoarseningOptions::TOLERANCES[1]);
@@ -217,6 +235,35 @@ pub static KEYS: &[Key] = &[
     key(&SOLID, "contact", Optional, choice!(CONTACTS, "\"body-force\"", |s| &mut s.solid_table().contact), "what the half space acts on"),
     key(&SOLID, "grip", Optional, choice!(GRIPS, "\"parabolic\"", |s| &mut s.solid_table().grip), "a rigid end face, or a parabolic shear traction on it"),
     key(&SOLID, "grading", Optional, choice!(GRADINGS, "\"grip\"", |s| &mut s.solid_table().grading), "where elements are finer: nowhere, or at the corners of the grip"),
+    key(&SETAE, "rows", Optional, Kind::Count(1_000_000, |s| &mut setae(s).rows), "rows of setae; of a toe in each lamella").titled("rows of setae", "N"),
+    key(&SETAE, "columns", Optional, Kind::Count(1_000_000, |s| &mut setae(s).columns), "setae in a row").titled("setae in a row", ""),
+    key(&SETAE, "pitch", Optional, Kind::Quantity(Length, |s| &mut setae(s).pitch), "distance of neighbouring setae").titled("distance of neighbouring setae", "p"),
+    key(&SETAE, "diameter", Optional, Kind::Quantity(Length, |s| &mut setae(s).diameter), "diameter of their shafts").titled("diameter of the setae", "d"),
+    key(&SETAE, "stiffness", Optional, Kind::Quantity(Stiffness, |s| &mut setae(s).stiffness), "normal stiffness of a seta").titled("normal stiffness of a seta", "k"),
+    key(&SETAE, "tangential_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut setae(s).tangential_stiffness), "stiffness along the ground; none: it slides").titled("tangential stiffness of a seta", ""),
+    key(&SETAE, "reach", Optional, Kind::Quantity(Length, |s| &mut setae(s).reach), "displacement at which a seta lets go or softens").titled("displacement at which a seta lets go", ""),
+    key(&SETAE, "last_reach", Optional, Kind::Bound(Length, |s| &mut setae(s).last_reach), "displacement up to which it softens; none: brittle").titled("displacement up to which a seta softens", ""),
+    key(&SETAE, "exit_angle", Optional, Kind::Measure(Angle, EXIT_ANGLES, |s| &mut setae(s).exit_angle), "direction in which its reach is measured, to the ground").titled("direction of the exit of a seta", ""),
+    key(&SETAE, "cone_angle", Optional, Kind::Bound(Angle, |s| &mut setae(s).cone_angle), "angle of force at which a seta lets go, for that of a lamella").titled("critical angle of a seta", "α"),
+    key(&SETAE, "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut setae(s).scatter.height), "half the range of the heights of setae").titled("half the range of the heights of setae", ""),
+    key(&SETAE, "strength_scatter", Optional, Kind::Number(Range::From(0.0, 0.999), |s| &mut setae(s).scatter.strength), "half the range of their strengths, over the mean").titled("half the range of the strengths of setae", ""),
+    key(&SETAE, "seed", Optional, Kind::Number(Range::From(0.0, 1e9), |s| &mut setae(s).seed), "shifts the sequence of heights and strengths").titled("seed of heights and strengths", ""),
+    key(&SETAE, "shaft_length", Optional, Kind::Bound(Length, |s| &mut setae(s).length), "length of a seta, for the warning about bunching").titled("length of a seta", "L"),
+    key(&SETAE, "youngs_modulus", Optional, Kind::Bound(Pressure, |s| &mut setae(s).youngs_modulus), "Young's modulus of a seta, for that warning").titled("Young's modulus of a seta", "E"),
+    key(&SETAE, "surface_energy", Optional, Kind::Bound(Work, |s| &mut setae(s).surface_energy), "surface energy of a seta, for that warning").titled("surface energy of a seta", "γ"),
+    key(&PATCH, "press", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut patch(s).press), "how far the backing is pressed first").titled("press of the backing", ""),
+    key(&PATCH, "dome_radius", Optional, Kind::Bound(Length, |s| &mut patch(s).dome_radius), "radius of a dome that carries the setae; none: flat").titled("radius of the dome", "R"),
+    key(&LAMELLA, "thickness", Optional, Kind::Quantity(Length, |s| &mut lamella(s).thickness), "thickness of the band").titled("thickness of the band", "h"),
+    key(&LAMELLA, "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut lamella(s).youngs_modulus), "Young's modulus E of the band").titled("Young's modulus", "E"),
+    key(&LAMELLA, "overhang", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut lamella(s).overhang), "band in front of the first row").titled("band in front of the first row", "a"),
+    key(&LAMELLA, "pulled_at", Optional, Kind::Fixed(1_000_000, |s| &mut lamella(s).pulled_at), "row at which it is pulled, from 1 on; none: its end").titled("row at which the band is pulled", ""),
+    key(&LAMELLA, "load", Optional, choice!(LOADS, "\"moment\"", |s| &mut lamella(s).load), "a force, or a moment that turns or presses its end"),
+    key(&LAMELLA, "pretension", Optional, Kind::Measure(Force, Range::From(0.0, 1e30), |s| &mut lamella(s).pretension), "tension in which it adheres, for the steady force").titled("tension of the band", "T₀"),
+    key(&TOE, "lamellae", Optional, Kind::Count(10_000, |s| &mut toe(s).lamellae), "lamellae on the pad").titled("lamellae on the pad", ""),
+    key(&TOE, "lamella_pitch", Optional, Kind::Quantity(Length, |s| &mut toe(s).pitch), "distance of neighbouring lamellae").titled("distance of neighbouring lamellae", ""),
+    key(&TOE, "thickness", Optional, Kind::Quantity(Length, |s| &mut toe(s).thickness), "thickness of the pad").titled("thickness of the pad", ""),
+    key(&TOE, "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut toe(s).youngs_modulus), "Young's modulus E of the pad").titled("Young's modulus", "E"),
+    key(&TOE, "joined_at", Optional, Kind::Fixed(1_000_000, |s| &mut toe(s).joined_at), "row at which lamellae are joined to it; none: rigid lamellae").titled("row at which lamellae are joined", ""),
     key(&TIME, "rate", Required, Kind::Quantity(Velocity, |s| &mut s.time_table().rate), "velocity of what moves the grip").titled("rate of the pull", "V"),
     key(&TIME, "density", Required, Kind::Measure(Density, Range::From(0.0, 1e6), |s| &mut s.time_table().density), "density of the beam; 0: without inertia, as of a seta").titled("density", "ρ"),
     key(&TIME, "material", Optional, Kind::Setting(&rate::MATERIAL), "whether and how the material flows"),

@@ -10,7 +10,7 @@ mod options;
 mod refine;
 mod run;
 mod seta_by_table;
-mod seta_law;
+pub(crate) mod seta_law;
 mod sheet;
 mod spline;
 mod table;

@@ -301,6 +301,26 @@ fn every_key_and_column_of_a_seta_is_described() {
 
 /// A strip that is pulled over its peak, and a seta of four tips.
 #[test]
+fn every_key_and_column_of_an_array_is_described() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = format!("{}/scenes/lamella.toml", super::ROOT);
+    peel(&["run", &scene, "--out", "out", "--set", "setae.columns=2"], folder.path());
+    let json = std::fs::read(folder.path().join("out/summary.json")).unwrap();
+    let mut found = BTreeSet::new();
+    keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
+    assert_described(&found, "summary.json of an array");
+    for (file, name) in [
+        ("out/curve.csv", "curve.csv of an array"),
+        ("out/events.csv", "events.csv of an array"),
+        ("out/rows.csv", "rows.csv of an array"),
+    ] {
+        let table = std::fs::read_to_string(folder.path().join(file)).unwrap();
+        let found = table.lines().next().unwrap().split(',').map(str::to_owned).collect();
+        assert_described(&found, name);
+    }
+}
+
+#[test]
 fn every_key_and_column_of_a_solid_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/solid-strip.toml", super::ROOT);

@@ -101,6 +101,8 @@ fn is_answered_or_refused(key: &Key) {
         "profile" => ("run", "profile"),
         "seta" => ("run", "seta"),
         "solid" => ("run", "solid-strip"),
+        "setae" | "lamella" | "toe" => ("run", "toe"),
+        "patch" => ("run", "patch"),
         "time" => ("run", "strip-at-a-rate"),
         "friction" => ("run", "strip-friction"),
         "substrate" => ("run", "strip-rough"),

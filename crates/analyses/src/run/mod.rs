@@ -1,5 +1,6 @@
-//! What `peel run` computes: the peel of a scene, as a beam or as a solid, the pull-off of its seta, or its pull at a rate, by what the scene describes.
+//! What `peel run` computes: the peel of a scene, as a beam or as a solid, the pull-off of its seta, the pull of its array of setae, or its pull at a rate, by what the scene describes.
 
+mod array;
 mod asked;
 mod peel;
 mod rate;
@@ -7,6 +8,7 @@ mod sensitivities;
 mod seta;
 mod solid;
 
+pub use array::{ArrayOutcome, ArrayRun};
 pub use asked::Asked;
 pub use peel::{PeelOutcome, PeelRun};
 pub use rate::{OfSeta, Pull, RateOutcome, RateRun};
@@ -27,6 +29,8 @@ pub enum Run<'s> {
     Peel(PeelRun<'s>),
     /// A solid in equilibrium
     Solid(SolidRun<'s>),
+    /// An array of setae, event by event
+    Array(ArrayRun<'s>),
     /// A seta in equilibrium
     Seta(SetaRun<'s>),
     /// Either, pulled at a rate
@@ -40,6 +44,7 @@ impl<'s> Run<'s> {
     pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
         Ok(match scene.describes() {
             Described::Rate(..) => Self::Rate(RateRun::of(scene, asked)?),
+            Described::Array(_) => Self::Array(ArrayRun::of(scene, asked)?),
             Described::Seta(_) => Self::Seta(SetaRun::of(scene, asked)?),
             Described::Solid(_) => Self::Solid(SolidRun::of(scene, asked)?),
             Described::Peel => Self::Peel(PeelRun::of(scene, asked)?),
@@ -54,6 +59,7 @@ impl Analysis for Run<'_> {
         match self {
             Self::Peel(run) => run.journal(),
             Self::Solid(run) => run.journal(),
+            Self::Array(run) => run.journal(),
             Self::Seta(run) => run.journal(),
             Self::Rate(run) => run.journal(),
         }
@@ -63,6 +69,7 @@ impl Analysis for Run<'_> {
         Ok(match self {
             Self::Peel(run) => RunOutcome::Peel(Box::new(run.run(session)?)),
             Self::Solid(run) => RunOutcome::Solid(Box::new(run.run(session)?)),
+            Self::Array(run) => RunOutcome::Array(Box::new(run.run(session)?)),
             Self::Seta(run) => RunOutcome::Seta(Box::new(run.run(session)?)),
             Self::Rate(run) => RunOutcome::Rate(Box::new(run.run(session)?)),
         })
@@ -75,6 +82,8 @@ pub enum RunOutcome {
     Peel(Box<PeelOutcome>),
     /// Of a solid in equilibrium
     Solid(Box<SolidOutcome>),
+    /// Of an array of setae
+    Array(Box<ArrayOutcome>),
     /// Of a seta in equilibrium
     Seta(Box<SetaOutcome>),
     /// Of either, pulled at a rate
@@ -86,6 +95,7 @@ impl RunOutcome {
         match self {
             Self::Peel(found) => &**found,
             Self::Solid(found) => &**found,
+            Self::Array(found) => &**found,
             Self::Seta(found) => &**found,
             Self::Rate(found) => &**found,
         }

@@ -42,6 +42,9 @@ impl<'s> Sweep<'s> {
     /// Fails with the reason.
     pub fn allows(scene: &Scene, follows: bool, divided: bool) -> Result<(), Refusal> {
         let [followed, whole, divides] = match scene.describes() {
+            Described::Array(_) => {
+                return Err(Refusal::asked(NO_SWEEP, "Give its values one by one, with --set."));
+            }
             Described::Rate(..) => [
                 "--follow and --peak-only have no meaning for a pull at a rate: they follow a limit point of equilibria",
                 "Omit them: each value is pulled as a whole.",
@@ -136,6 +139,9 @@ impl Analysis for Sweep<'_> {
                     let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
                     (Rows::Solids(rows), taken)
                 }
+                Described::Array(_) => {
+                    return Err(Refusal::asked(NO_SWEEP, "Give its values one by one, with --set."));
+                }
                 Described::Seta(_) => {
                     let of = |case: &Case| pull_off(&case.scene, &setae, session);
                     let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
@@ -183,6 +189,7 @@ impl SceneRows {
                 let (found, solve_s) = timed(|| solid(scene, session));
                 PullRow { value: 0.0, second: None, found, solve_s }.to_json()
             }
+            Described::Array(_) => Err(io::Error::other(NO_SWEEP)),
             Described::Seta(_) => {
                 let (found, solve_s) = timed(|| pull_off(scene, &self.setae, session));
                 PullRow { value: 0.0, second: None, found, solve_s }.to_json()
@@ -195,6 +202,8 @@ impl SceneRows {
     }
 }
 
+/// Of an array of setae.
+const NO_SWEEP: &str = "an array of setae is pulled by `peel run` alone";
 /// Of a scene that is of another kind than those beside it.
 const OTHER_KIND: &str = "the value makes another kind of scene";
 

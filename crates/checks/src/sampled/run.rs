@@ -135,6 +135,12 @@ fn run(kind: SampleKind, scene: &Scene, way: &PeelSetting, patience: Patience) -
             elements: 0,
             reported: Reported::nothing(),
         },
+        Described::Array(_) => Found {
+            end: "refused",
+            reason: Some("arrays of setae are not sampled".to_owned()),
+            elements: 0,
+            reported: Reported::nothing(),
+        },
         Described::Seta(table) => pulled_off(scene, table, &stop),
         Described::Peel if kind == SampleKind::Observed => tested(scene, way, &stop),
         Described::Peel => peeled(scene, way, &stop),

@@ -1,5 +1,6 @@
 //! What a run found, laid out for a person.
 
+pub(crate) mod array;
 pub(crate) mod fit;
 mod found;
 mod layout;

@@ -11,6 +11,8 @@ use peelkit::model::{Body, ProfileForm};
 enum Misfit {
     /// It has a seta, which has no such key.
     BesideSeta,
+    /// It has an array of setae, which has no such key.
+    BesideArray,
     /// It does not have the table.
     NoTable,
     /// It is in the plane.
@@ -29,6 +31,9 @@ impl Key {
     }
 
     fn misfit(&self, scene: &Scene) -> Option<Misfit> {
+        if scene.array.is_some() && !self.of.stands_beside_setae(self.name) {
+            return Some(Misfit::BesideArray);
+        }
         if scene.seta.is_some() && !self.of.beside_seta.has(self.name) {
             return Some(Misfit::BesideSeta);
         }
@@ -74,6 +79,12 @@ impl Key {
                 "is given, and the scene has a [seta], which has no such key",
                 format!(
                     "Remove `{name}`: beside [seta] stand the table of its tips, [adhesion], `angle`, `azimuth` and `steps` of [drive], `relative` and `order` of [accuracy], [output], [bounds], [fit], [optimise], [uncertainty], and [time] without `held`.",
+                ),
+            ),
+            Misfit::BesideArray => ValueError::new(
+                "is given, and the scene has [setae], an array, which has no such key",
+                format!(
+                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive] and `time` of [bounds]."
                 ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(

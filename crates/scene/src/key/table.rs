@@ -27,6 +27,19 @@ pub(crate) enum BesideSeta {
     AllBut(&'static str),
 }
 
+impl Table {
+    /// Whether a scene of an array of setae has a key of it.
+    pub(crate) fn stands_beside_setae(&self, name: &str) -> bool {
+        match self.name {
+            "setae" | "patch" | "lamella" | "toe" => true,
+            "bounds" => name == "time",
+            "" => name == "title",
+            "drive" => name == "angle",
+            _ => false,
+        }
+    }
+}
+
 impl BesideSeta {
     pub(crate) fn has(&self, name: &str) -> bool {
         match self {
@@ -62,6 +75,35 @@ pub(crate) static FRICTION: Table = table("friction", "What holds the beam along
 pub(crate) static GRIP: Table = table("grip", "What holds the right end, which is pulled.", BesideSeta::None);
 pub(crate) static DRIVE: Table =
     table("drive", "Where the grip goes, and what it does before.", BesideSeta::These(&["angle", "azimuth", "steps"]));
+/// One of an array of setae, which begins it.
+const fn of_array(name: &'static str, about: &'static str, is_in: fn(&Scene) -> bool, begin: fn(&mut Scene)) -> Table {
+    Table { name, about, beside_seta: BesideSeta::None, is_in, begin }
+}
+
+pub(crate) static SETAE: Table = of_array(
+    "setae",
+    "An array of setae: how many, and the law of each.",
+    |s| s.array.is_some(),
+    |s| _ = s.array_table(),
+);
+pub(crate) static PATCH: Table = of_array(
+    "patch",
+    "What setae stand on: a rigid backing.",
+    |s| s.array.as_ref().is_some_and(|array| array.patch.is_some()),
+    |s| _ = s.array_table().patch_table(),
+);
+pub(crate) static LAMELLA: Table = of_array(
+    "lamella",
+    "What setae stand on: an elastic band.",
+    |s| s.array.as_ref().is_some_and(|array| array.lamella.is_some()),
+    |s| _ = s.array_table().lamella_table(),
+);
+pub(crate) static TOE: Table = of_array(
+    "toe",
+    "A pad whose branches are lamellae.",
+    |s| s.array.as_ref().is_some_and(|array| array.toe.is_some()),
+    |s| _ = s.array_table().toe_table(),
+);
 pub(crate) static SOLID: Table = Table {
     name: "solid",
     about: "A strip that is computed as a solid: with which elements.",

@@ -1,14 +1,16 @@
 //! A scene as data.
 
+pub(crate) mod array;
 pub(crate) mod bounds;
 pub(crate) mod rate;
 pub(crate) mod seta;
 pub(crate) mod solid;
 pub(crate) mod studies;
 
+use array::ArrayTable;
 use bounds::BoundsTable;
 use peelkit::beam::Material;
-use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip};
+use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip, StripModel};
 use peelkit::study::{self, Accuracy, EventAt, PeelQuantity, SetaTimeAccuracy, StationAt};
 use rate::TimeTable;
 use seta::SetaTable;
@@ -30,6 +32,8 @@ pub struct Scene {
     pub seta: Option<SetaTable>,
     /// How the strip is computed as a solid, where the scene says so.
     pub solid: Option<SolidTable>,
+    /// The setae and what they stand on, where the scene has an array of them.
+    pub array: Option<ArrayTable>,
     /// The rate of the pull, where the scene has one.
     pub time: Option<TimeTable>,
     /// What the user asks of the numbers.
@@ -69,6 +73,8 @@ pub enum Described<'s> {
     Solid(&'s SolidTable),
     /// The pull-off of a seta, by its equilibria
     Seta(&'s SetaTable),
+    /// The pull of an array of setae, event by event
+    Array(&'s ArrayTable),
     /// A beam pulled at a rate, or a seta
     Rate(&'s TimeTable, Option<&'s SetaTable>),
 }
@@ -79,6 +85,7 @@ impl Described<'_> {
         match self {
             Self::Peel => &PeelQuantity::OF_A_PEEL,
             Self::Solid(_) => &PeelQuantity::OF_A_SOLID,
+            Self::Array(_) => &PeelQuantity::OF_AN_ARRAY,
             Self::Seta(_) => &PeelQuantity::OF_A_SETA,
             Self::Rate(..) => &PeelQuantity::AT_A_RATE,
         }
@@ -89,6 +96,7 @@ impl Described<'_> {
         match self {
             Self::Peel => "a peel",
             Self::Solid(_) => "the peel of a solid",
+            Self::Array(_) => "the pull of an array of setae",
             Self::Seta(_) => "the pull-off of a seta",
             Self::Rate(..) => "a pull at a rate",
         }
@@ -99,6 +107,7 @@ impl Described<'_> {
         match self {
             Self::Peel => "peel",
             Self::Solid(_) => "solid",
+            Self::Array(_) => "array",
             Self::Seta(_) => "seta",
             Self::Rate(..) => "rate",
         }
@@ -110,6 +119,7 @@ impl Scene {
     pub(crate) fn of_defaults() -> Self {
         Self {
             seta: Some(SetaTable::default()),
+            array: Some(ArrayTable::of_all()),
             solid: Some(SolidTable::default()),
             time: Some(TimeTable::default()),
             fit: Some(FitTable::default()),
@@ -130,6 +140,7 @@ impl Scene {
             accuracy: Accuracy::to(1e-6),
             bounds: BoundsTable { points: 20_000, time_s: Some(60.0), ..BoundsTable::default() },
             seta: None,
+            array: None,
             solid: None,
             time: None,
             stations: Vec::new(),
@@ -150,6 +161,9 @@ impl Scene {
 
     /// What it describes.
     pub fn describes(&self) -> Described<'_> {
+        if let Some(array) = &self.array {
+            return Described::Array(array);
+        }
         match (&self.time, &self.seta, &self.solid) {
             (Some(time), seta, _) => Described::Rate(time, seta.as_ref()),
             (None, Some(seta), _) => Described::Seta(seta),
@@ -168,6 +182,8 @@ impl Scene {
     /// Whether values fit one another that are right by themselves: else the key that does not, and why.
     pub fn check(&self) -> Result<(), ModelError> {
         match self.seta {
+            // an array has no beam of its own
+            None if self.array.is_some() => Ok(()),
             None => study::checked(&self.model, &self.accuracy),
             Some(_) => study::checked(&self.tip_model(), &self.accuracy),
         }
@@ -178,6 +194,15 @@ impl Scene {
 impl Scene {
     pub(crate) fn seta_table(&mut self) -> &mut SetaTable {
         self.seta.get_or_insert_default()
+    }
+
+    /// An array has neither a body nor adhesion of a beam: those of the paper stand there, which no key of it reads or writes.
+    pub(crate) fn array_table(&mut self) -> &mut ArrayTable {
+        if self.array.is_none() {
+            let StripModel { strip, adhesion, .. } = StripModel::of_the_paper(100.0, 1.0);
+            (self.model.body, self.model.adhesion) = (Body::Strip(strip), adhesion);
+        }
+        self.array.get_or_insert_default()
     }
 
     pub(crate) fn solid_table(&mut self) -> &mut SolidTable {

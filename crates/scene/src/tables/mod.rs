@@ -1,5 +1,6 @@
 //! Tables of a scene beside its body: what their keys take, and what goes together in them.
 
+pub(crate) mod array;
 mod bounded;
 pub(crate) mod fit;
 pub(crate) mod measured;

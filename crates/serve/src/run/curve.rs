@@ -52,6 +52,9 @@ impl Curve {
             RunOutcome::Seta(found) => {
                 Self::stable(pulled(found.pull_off()).map(|at| (at.displacement, at.force_along)).collect())
             }
+            RunOutcome::Array(found) => Self::stable(
+                found.pull.events.iter().filter(|at| at.starts_jump).map(|at| (at.lift, at.load)).collect(),
+            ),
             RunOutcome::Solid(found) => {
                 let points = &found.peel.points;
                 let unstable = points.iter().map(|at| at.negative.is_some_and(|count| count > 0)).collect();

@@ -82,6 +82,8 @@ impl Poses {
         match outcome {
             RunOutcome::Peel(found) => Self::of_peel(&found.peel),
             RunOutcome::Seta(found) => Self::of_seta(found),
+            // the places of its roots are not drawn
+            RunOutcome::Array(_) => Self { unit: 1.0, ground: Vec::new(), along: Vec::new() },
             RunOutcome::Solid(found) => Self::of_solid(&found.peel, found.rest_gap()),
             RunOutcome::Rate(found) => Self::at_rate(&found.pulled),
         }

@@ -62,6 +62,8 @@ impl PeelQuantity {
     pub const OF_A_SOLID: [Self; 2] = [PeakForce, PeakDisplacement];
     /// Those of the pull-off of a seta.
     pub const OF_A_SETA: [Self; 3] = [PeakForce, PeakDisplacement, Work];
+    /// Those of the pull of an array of setae.
+    pub const OF_AN_ARRAY: [Self; 3] = Self::OF_A_SETA;
     /// Those of a pull at a rate, of a beam or of a seta.
     pub const AT_A_RATE: [Self; 3] = [LargestForce, LargestForceDisplacement, Work];
 

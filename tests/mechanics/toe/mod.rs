@@ -1,0 +1,4 @@
+mod pad;
+mod reference;
+mod setup;
+mod work;
