@@ -40,7 +40,7 @@ fn what_setae_stand_on() {
 fn what_does_not_fit() {
     refused("[setae]\n", &["stand on nothing", "[patch]"]);
     refused(&format!("{LAMELLA}[patch]\npress = \"0 nm\"\n"), &["beside that of a band"]);
-    refused("[setae]\npitch = \"4 um\"\ndiameter = \"4.2 um\"\n[patch]\n", &["`setae.pitch`", "4.2 µm thick"]);
+    refused("[setae]\npitch = \"4 um\"\ndiameter = \"4.2 um\"\n[patch]\n", &["`setae.pitch`", "4.2000 µm thick"]);
     let high = "[setae]\nrows = 10\ncolumns = 10\nreach = \"5 um\"\nheight_scatter = \"6 um\"\n[patch]\n";
     refused(high, &["of 100 setae do not adhere", "press by at least"]);
     refused(&format!("{LAMELLA}pretension = \"1 N\"\n"), &["peels by itself", "√(2 EA Γb)"]);

@@ -44,6 +44,9 @@ impl Key {
         match (self.name, &self.kind) {
             (_, Kind::Setting(setting)) => setting.example,
             (_, Kind::Word(choice)) => choice.example,
+            ("rows" | "columns", _) => "60",
+            ("lamellae", _) => "12",
+            ("pulled_at" | "joined_at", _) => "30",
             ("pitch", _) => "\"10 um\"",
             ("lamella_pitch", _) => "\"500 um\"",
             ("diameter", _) => "\"4 um\"",
