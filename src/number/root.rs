@@ -190,10 +190,10 @@ mod tests {
     #[test]
     fn false_position_passes_a_root_and_says_what_is_left() {
         let cube = |x: f64| Ok::<_, ()>((x, x * x * x - 2.0));
-        let (root, passing) = passed((0.0, -2.0), (2.0, 6.0), cube, |value, ..| value.abs() < 1e-13).unwrap();
+        let (root, passing) = passed((0.0, -2.0), (2.0, 6.0), cube, |value, _, _| value.abs() < 1e-13).unwrap();
         assert_relative_eq!(root, 2f64.cbrt(), max_relative = 1e-13);
         assert!(passing.place == root && passing.value.abs() < 1e-13 && passing.left < 2.0);
-        assert_eq!(passed((0.0, -2.0), (2.0, 6.0), |_| Err::<((), f64), _>("why"), |..| true), Err("why"));
+        assert_eq!(passed((0.0, -2.0), (2.0, 6.0), |_| Err::<((), f64), _>("why"), |_, _, _| true), Err("why"));
     }
 
     #[test]

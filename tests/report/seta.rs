@@ -132,7 +132,7 @@ fn pictures_tables_and_the_page_can_be_read() {
     let last = pull_off.last.clone().unwrap();
     let mut first = last.clone();
     first.point = pull_off.points[0];
-    let drawn = draw_pull_off(dir.path(), &pull_off, &seta, "Four tips & <more>").unwrap();
+    let drawn = draw_pull_off(dir.path(), &pull_off, &seta, &[], "Four tips & <more>").unwrap();
     for svg in drawn.iter().filter(|file| file.extension().is_some_and(|ending| ending == "svg")) {
         let text = read(svg);
         let picture = roxmltree::Document::parse(&text).unwrap();

@@ -33,7 +33,7 @@ impl Machine<'_> {
         let mut ws = Workspace::default().at(self.options.pace);
         let mut found: Vec<(f64, Passed)> = Vec::new();
         for (event, at) in events.iter().enumerate().filter(|_| leg.points.len() > 1) {
-            let locator = Locator::new(self.model, self.problem, (&leg.points, Vec::new()), at);
+            let locator = Locator::new(self.model, self.problem, &leg.points, Vec::new(), at);
             for after in 0..leg.points.len() - 1 {
                 let machine_nm = leg.points[after].observables.displacement;
                 let lost = |cause| BranchError::NoEvent { name: at.name.clone(), machine_nm, cause };

@@ -227,7 +227,7 @@ impl<'p> SpatialReader<'p> {
     /// The gap of the section at S = 0, nm.
     pub fn free_end_gap(&self, at: &State) -> f64 {
         let ends = self.beam.end_states(at, 0..1);
-        self.fields(ends[0].clone(), 0.0).gap
+        self.fields(ends[0], 0.0).gap
     }
 
     fn fields(&self, state: SpatialSectionState, weight: f64) -> SpatialSectionFields {

@@ -82,7 +82,8 @@ impl<'p> Locator<'p> {
     pub fn new(
         model: &'p PeelModel,
         problem: &'p BeamProblem,
-        (points, turns): (&'p [Arc<Solution>], Vec<(usize, Arc<Solution>)>),
+        points: &'p [Arc<Solution>],
+        turns: Vec<(usize, Arc<Solution>)>,
         at: &'p EventAt,
     ) -> Self {
         let measure = Measure::new(model, problem, at.quantity.clone());

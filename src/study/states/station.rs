@@ -100,7 +100,7 @@ impl Peel {
         let Some(trace) = self.trace.as_ref().filter(|trace| !trace.points.is_empty()) else { return events };
         let SolutionHistory { problem, points, limit_points, .. } = trace;
         let located = self.limit_points.iter().map(|at| at.after).zip(limit_points.iter().cloned());
-        let locator = Locator::new(&self.model, problem, (points, located.collect()), at);
+        let locator = Locator::new(&self.model, problem, points, located.collect(), at);
         let dropped = self.considered.as_ref().is_some_and(|terms| terms.left_out.iter().any(|t| t.largest > 0.0));
         let bounds = Bounds {
             asked: self.asked,

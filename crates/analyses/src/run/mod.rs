@@ -30,7 +30,7 @@ pub enum Run<'s> {
     /// A solid in equilibrium
     Solid(SolidRun<'s>),
     /// An array of setae, event by event
-    Array(ArrayRun<'s>),
+    Array(Box<ArrayRun<'s>>),
     /// A seta in equilibrium
     Seta(SetaRun<'s>),
     /// Either, pulled at a rate
@@ -44,7 +44,7 @@ impl<'s> Run<'s> {
     pub fn of(scene: &'s Scene, asked: Asked) -> Result<Self, Refusal> {
         Ok(match scene.describes() {
             Described::Rate(..) => Self::Rate(RateRun::of(scene, asked)?),
-            Described::Array(_) => Self::Array(ArrayRun::of(scene, asked)?),
+            Described::Array(_) => Self::Array(Box::new(ArrayRun::of(scene, asked)?)),
             Described::Seta(_) => Self::Seta(SetaRun::of(scene, asked)?),
             Described::Solid(_) => Self::Solid(SolidRun::of(scene, asked)?),
             Described::Peel => Self::Peel(PeelRun::of(scene, asked)?),

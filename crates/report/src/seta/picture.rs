@@ -25,7 +25,8 @@ const HEIGHT: u32 = 480;
 pub fn draw_pull_off(
     dir: &Path,
     pull_off: &SetaPullOff,
-    (seta, passed): (&Seta, &[PassedAt]),
+    seta: &Seta,
+    passed: &[PassedAt],
     title: &str,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let caption = match names::seta_end_reason(&pull_off.end) {
