@@ -125,7 +125,7 @@ fn toe(scene: &mut Scene) -> &mut ToeTable {
 }
 
 /// Of a seta in an array: along what its reach is measured.
-const EXIT_ANGLES: Range = Range::Between(0.0, std::f64::consts::PI);
+const EXIT_ANGLES: Range = Range::From(1.0 * 1f64.to_radians(), 179.0 * 1f64.to_radians());
 
 /// What the tolerance of a table of tips may be.
 const TIP_TOLERANCES: Range = Range::From(CoarseningOptions::TOLERANCES[0], CoarseningOptions::TOLERANCES[1]);
@@ -244,7 +244,7 @@ pub static KEYS: &[Key] = &[
     key(&SETAE, "reach", Optional, Kind::Quantity(Length, |s| &mut setae(s).reach), "displacement at which a seta lets go or softens").titled("displacement at which a seta lets go", ""),
     key(&SETAE, "last_reach", Optional, Kind::Bound(Length, |s| &mut setae(s).last_reach), "displacement up to which it softens; none: brittle").titled("displacement up to which a seta softens", ""),
     key(&SETAE, "exit_angle", Optional, Kind::Measure(Angle, EXIT_ANGLES, |s| &mut setae(s).exit_angle), "direction in which its reach is measured, to the ground").titled("direction of the exit of a seta", ""),
-    key(&SETAE, "cone_angle", Optional, Kind::Bound(Angle, |s| &mut setae(s).cone_angle), "angle of force at which a seta lets go, for that of a lamella").titled("critical angle of a seta", "α"),
+    key(&SETAE, "cone_angle", Optional, Kind::Bound(Angle, |s| &mut setae(s).cone_angle), "critical angle of a seta, for that of a lamella").titled("critical angle of a seta", "α"),
     key(&SETAE, "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut setae(s).scatter.height), "half the range of the heights of setae").titled("half the range of the heights of setae", ""),
     key(&SETAE, "strength_scatter", Optional, Kind::Number(Range::From(0.0, 0.999), |s| &mut setae(s).scatter.strength), "half the range of their strengths, over the mean").titled("half the range of the strengths of setae", ""),
     key(&SETAE, "seed", Optional, Kind::Number(Range::From(0.0, 1e9), |s| &mut setae(s).seed), "shifts the sequence of heights and strengths").titled("seed of heights and strengths", ""),

@@ -10,6 +10,10 @@ const ADHESION: &str = "[adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_
 fn completed(part: &str) -> String {
     let has = |table: &str| part.lines().any(|line| line.starts_with(&format!("[{table}]")));
     let mut scene = part.to_owned() + "\n";
+    // an array of setae has no body
+    if has("setae") {
+        return scene;
+    }
     if !BODIES.iter().any(|body| has(body)) {
         scene += STRIP;
     }
