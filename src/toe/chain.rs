@@ -35,14 +35,17 @@ pub struct Chain {
     before: Vec<Vec<usize>>,
     /// From each node to the one behind: how far along the ground, and the section
     pieces: Vec<Option<(f64, BandSection)>>,
-    /// Stiffness of the bands at each node, and between it and the one behind
+    /// Stiffness of the piece behind each node at that node, at its other end, and between
     own: Vec<Matrix3<f64>>,
+    other: Vec<Matrix3<f64>>,
     across: Vec<Matrix3<f64>>,
     /// What holds each node
     held: Vec<Matrix3<f64>>,
-    /// Inverses of the pivots, and what each node takes off the one behind it
+    /// Whether nothing holds a node and those before it
+    free: Vec<bool>,
+    /// Inverses of the pivots, and what each node with its piece gives to the one behind it
     inverse: Vec<Matrix3<f64>>,
-    taken: Vec<Matrix3<f64>>,
+    given: Vec<Matrix3<f64>>,
 }
 
 impl Chain {
@@ -54,10 +57,12 @@ impl Chain {
             before: vec![Vec::new(); nodes],
             pieces: vec![None; nodes],
             own: zero.clone(),
+            other: zero.clone(),
+            free: vec![false; nodes],
             across: zero.clone(),
             held: zero.clone(),
             inverse: zero.clone(),
-            taken: zero,
+            given: zero,
         }
     }
 
@@ -68,8 +73,7 @@ impl Chain {
         let (ea, ei) = (section.axial / length, section.bending / length.powi(3));
         let (a, b) = (6.0 * ei * length * towards, ei * length * length);
         let end = |sign: f64| Matrix3::new(ea, 0.0, 0.0, 0.0, 12.0 * ei, sign * a, 0.0, sign * a, 4.0 * b);
-        self.own[node] += end(1.0);
-        self.own[behind] += end(-1.0);
+        (self.own[node], self.other[node]) = (end(1.0), end(-1.0));
         self.across[node] = Matrix3::new(-ea, 0.0, 0.0, 0.0, -12.0 * ei, a, 0.0, -a, 2.0 * b);
         self.pieces[node] = Some((along, *section));
         self.behind[node] = Some(behind);
@@ -106,11 +110,17 @@ impl Chain {
     fn eliminate_one(&mut self, node: usize) -> bool {
         let mut pivot = self.own[node] + self.held[node];
         for &before in &self.before[node] {
-            pivot -= self.taken[before];
+            pivot += self.given[before];
         }
         let Some(inverse) = pivot.try_inverse() else { return false };
         self.inverse[node] = inverse;
-        self.taken[node] = self.across[node].tr_mul(&(inverse * self.across[node]));
+        self.free[node] =
+            self.held[node] == Matrix3::zeros() && self.before[node].iter().all(|&before| self.free[before]);
+        // what hangs on nothing gives nothing: exactly, where a difference would leave its rounding
+        self.given[node] = match self.free[node] {
+            true => Matrix3::zeros(),
+            false => self.other[node] - self.across[node].tr_mul(&(inverse * self.across[node])),
+        };
         inverse.iter().all(|entry| entry.is_finite())
     }
 
