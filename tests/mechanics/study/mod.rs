@@ -6,6 +6,7 @@ mod ends;
 mod error_bounds;
 mod fit;
 mod followed_until;
+mod measured_law;
 mod observed;
 mod observed_in_space;
 mod optimisation;
