@@ -18,6 +18,8 @@ const fn unit(name: &'static str, size: f64) -> Unit {
 pub const FORCES: &[Unit] = &[unit("pN", 1e-3), unit("nN", 1.0), unit("µN", 1e3), unit("mN", 1e6), unit("N", 1e9)];
 /// Units of lengths, from small to large.
 pub const LENGTHS: &[Unit] = &[unit("pm", 1e-3), unit("nm", 1.0), unit("µm", 1e3), unit("mm", 1e6), unit("m", 1e9)];
+/// In nN/nm²
+pub const PRESSURES: &[Unit] = &[unit("Pa", 1e-9), unit("kPa", 1e-6), unit("MPa", 1e-3), unit("GPa", 1.0)];
 /// Units of works, from small to large.
 pub const WORKS: &[Unit] = &[
     unit("zJ", 1e-3),

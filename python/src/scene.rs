@@ -84,8 +84,7 @@ impl NativeScene {
     /// Name, text and overrides from which it is read again anywhere: a text that names files with what they hold in their place.
     fn parts(&self) -> (&str, String, Vec<(String, String)>) {
         let Source { scene, text, overrides } = &*self.source;
-        let tables = &scene.table_texts;
-        match tables.profile.is_empty() && tables.substrate.is_empty() {
+        match scene.table_texts.is_empty() {
             true => (&scene.name, text.clone(), overrides.clone()),
             false => (&scene.name, scene.to_toml(), Vec::new()),
         }

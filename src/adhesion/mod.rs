@@ -21,6 +21,7 @@ pub use levels::volume::{Cuboid, body_force_by_volume, double_integral};
 pub use section::barrier::Barrier;
 pub use section::cohesive::CohesiveShape;
 pub use section::cohesive::calibrated::Cohesive;
+pub use section::cohesive::tabulated::{Measured, TractionTable, TractionTableError};
 pub use section::coverage::TiltCount;
 pub use section::law::{Attraction, Law};
 pub use section::line_load::{LineLaw, LineLoad};

@@ -1,6 +1,6 @@
 //! What follows from a model before anything is solved: the numbers by which one strip is compared with another.
 
-use super::peel::PeelModel;
+use super::peel::{Adhesion, PeelModel};
 use crate::adhesion::section::law::Law;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::analytic::peeling::{kendall_force, sliding_force};
@@ -74,8 +74,12 @@ impl PeelModel {
         let (work_of_adhesion, strength) = match &law.law {
             Law::BodyForce | Law::SurfaceTraction => (half_space.work_of_adhesion(), Some(half_space.strength())),
             Law::Cohesive(_) => {
-                let work = self.adhesion.work.unwrap_or_else(|| half_space.work_of_adhesion());
-                (work, Some(self.adhesion.strength.unwrap_or_else(|| half_space.strength())))
+                let [work, strength] = self.adhesion.own_work_and_strength().unwrap_or_else(|| {
+                    let Adhesion { work, strength, .. } = self.adhesion;
+                    let [own_work, own_strength] = [half_space.work_of_adhesion(), half_space.strength()];
+                    [work.unwrap_or(own_work), strength.unwrap_or(own_strength)]
+                });
+                (work, Some(strength))
             }
             Law::Own(_) => (-law.rest_energy(), None),
         };

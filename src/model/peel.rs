@@ -81,7 +81,15 @@ impl Adhesion {
 
     /// Whether the Hamaker constant changes nothing: under a cohesive law with a work of adhesion and a strength of its own.
     pub fn needs_no_hamaker_constant(&self) -> bool {
-        self.attraction.takes_work_and_strength() && self.work.is_some() && self.strength.is_some()
+        self.own_work_and_strength().is_some()
+    }
+
+    /// Work of adhesion (nN/nm) and strength (nN/nm²) of a cohesive law that takes neither from the half space.
+    pub fn own_work_and_strength(&self) -> Option<[f64; 2]> {
+        match self.attraction.table() {
+            Some(table) => Some([table.work(), table.strength()]),
+            None => self.work.zip(self.strength).filter(|_| self.attraction.is_cohesive()).map(<[f64; 2]>::from),
+        }
     }
 
     /// The pair distance r0 of a cohesive law with a work of adhesion and a strength of its own where none is given, nm: w/(10 σ), a tenth of the opening
@@ -89,8 +97,7 @@ impl Adhesion {
     /// opening, so that what is nearer than 2 r0 has not come off yet, and not so small that the gap at rest is lost in the round-off of lengths of the
     /// beam.
     pub fn distance_of_work_and_strength(&self) -> Option<f64> {
-        let (work, strength) = (self.work?, self.strength?);
-        self.needs_no_hamaker_constant().then_some(0.1 * work / strength)
+        self.own_work_and_strength().map(|[work, strength]| 0.1 * work / strength)
     }
 
     /// The substrate.

@@ -50,6 +50,7 @@ fn every_example_that_messages_give_is_right() {
             "solid" => format!("{MINIMAL}[solid]\n"),
             "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
+            "adhesion" if key.name == "table" => MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"table\"\n"),
             _ if ["work", "strength", "shear_strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }

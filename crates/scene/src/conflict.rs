@@ -38,6 +38,11 @@ impl Conflict {
         if let Some(key) = KEYS.iter().filter(is_given).find(|key| !key.belongs_to(scene)) {
             return Some(Self { key: key.path(), problem: key.foreign(scene), missing: None });
         }
+        // a law of a table is nothing without its rows
+        let of_table = |key: &&Key| matches!(key.kind, Kind::Tractions(_)) && key.belongs_to(scene);
+        if let Some(key) = KEYS.iter().filter(of_table).find(|key| !is_given(key)) {
+            return Some(Self::missing(key, given, scene));
+        }
         let needed = |key: &&Key| key.need == Need::Required && key.belongs_to(scene);
         if let Some(key) = KEYS.iter().filter(needed).find(|key| !is_given(key)) {
             // a cohesive law is complete with a work and a strength, and needs no half space
@@ -70,6 +75,9 @@ impl Conflict {
         let needed = |other: &Key| other.need == Need::Required && !matches!(other.kind, Kind::Pieces(_));
         let of_law = |other: &Key| OF_LAW.contains(&other.name);
         let shown = |other: &&Key| {
+            if matches!(key.kind, Kind::Tractions(_)) {
+                return other.path() == key.path();
+            }
             let is_meant = if key.need == Need::Required { needed(other) } else { of_law(other) };
             other.table == key.table && is_meant && other.belongs_to(scene)
         };

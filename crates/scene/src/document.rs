@@ -149,7 +149,7 @@ fn fill(scene: &mut Scene, text: &str, document: &DeTable) -> Result<HashSet<Str
     if let Some((table, _)) = bodies.iter().find(|(_, value)| has_keys(value)).or(bodies.first()) {
         set_body(scene, name_of(table));
     }
-    take_shape(scene, &file, document)?;
+    take_kinds(scene, &file, document)?;
     place_in_space(scene, &file, document)?;
     if document.iter().any(|(table, _)| name_of(table) == SETA.name) {
         begin_seta(scene, bodies.is_empty());
@@ -227,7 +227,8 @@ fn check_body(scene: &Scene, file: &Origin, table: &Spanned<toml::de::DeString>)
 /// given of that: the pair distance is a share of the opening, and the Hamaker constant that of a half space with this work.
 fn supply_half_space(scene: &mut Scene, given: &mut HashSet<String>) {
     let adhesion = &mut scene.model.adhesion;
-    let (Some(distance), Some(work)) = (adhesion.distance_of_work_and_strength(), adhesion.work) else { return };
+    let Some(distance) = adhesion.distance_of_work_and_strength() else { return };
+    let Some([work, _]) = adhesion.own_work_and_strength() else { return };
     if given.insert("adhesion.equilibrium_distance".to_owned()) {
         adhesion.equilibrium_distance = distance.clamp(f64::MIN_POSITIVE, f64::MAX);
     }
@@ -271,13 +272,17 @@ fn in_file(file: &Origin, text: &str, document: &DeTable, conflict: &Conflict) -
     }
 }
 
-/// Gives the substrate the shape that the text names, which says what its other keys mean.
-fn take_shape(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
-    let Some(key) = KEYS.iter().find(|key| matches!(key.kind, Kind::Shape(_))) else { return Ok(()) };
-    let table = document.iter().find(|(name, _)| name_of(name) == key.table);
-    let Some(DeValue::Table(table)) = table.map(|(_, table)| table.get_ref()) else { return Ok(()) };
-    let value = table.iter().find(|(name, _)| name_of(name) == key.name);
-    value.map_or(Ok(()), |(_, value)| store(scene, file, key, value))
+/// Gives the substrate the shape and the adhesion the law that the text names, which say what their other keys mean.
+fn take_kinds(scene: &mut Scene, file: &Origin, document: &DeTable) -> Result<(), SceneError> {
+    let decides = |key: &&Key| matches!(key.kind, Kind::Shape(_)) || key.path() == "adhesion.law";
+    for key in KEYS.iter().filter(decides) {
+        let table = document.iter().find(|(name, _)| name_of(name) == key.table);
+        let Some(DeValue::Table(table)) = table.map(|(_, table)| table.get_ref()) else { continue };
+        if let Some((_, value)) = table.iter().find(|(name, _)| name_of(name) == key.name) {
+            store(scene, file, key, value)?;
+        }
+    }
+    Ok(())
 }
 
 /// Puts the scene in space where the text says so, or where it says nothing of that and gives a key of space.

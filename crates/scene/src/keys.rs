@@ -2,7 +2,7 @@
 
 use crate::body::{number_of_shape, profile, space, spatula, strip, substrate};
 use crate::error::ValueError;
-use crate::key::choice::{ENDS, HOLDS, LINE_LOADS, SECTIONS, STARTS, TERMS, attractions, choice};
+use crate::key::choice::{ENDS, HOLDS, LAW, LINE_LOADS, SECTIONS, STARTS, TERMS, choice};
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
@@ -194,7 +194,8 @@ pub static KEYS: &[Key] = &[
 
     key(&ADHESION, "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H of van der Waals forces").titled("Hamaker constant", "A_H"),
     key(&ADHESION, "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "r0 of a pair of molecules; gap at rest").titled("equilibrium distance", "r₀"),
-    key(&ADHESION, "law", Optional, choice!(attractions(), "\"bilinear\"", |s| &mut s.model.adhesion.attraction), "adhesion model: law of the half space, or a cohesive law"),
+    key(&ADHESION, "law", Optional, Kind::Word(&LAW), "adhesion model: law of the half space, or a cohesive law"),
+    key(&ADHESION, "table", Optional, Kind::Tractions(|s| &mut s.model.adhesion.attraction), "law = \"table\": traction over opening, as a CSV, or its file"),
     key(&ADHESION, "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of a cohesive law; else the half space's").titled("work of adhesion", "w"),
     key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "strength of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
     key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction; none: it slides freely").titled("shear strength of the adhesion", "τ"),

@@ -45,3 +45,4 @@ pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};
 pub use value::table::{CsvError, parse_heights, parse_profile};
+pub use value::traction::parse_tractions;

@@ -60,10 +60,10 @@ fn table(name: &str) -> Value {
     let needed = |key: &&Key| key.need == Need::Required;
     match name {
         name if name == SUBSTRATE.name => schema["allOf"] = shapes(),
-        // a cohesive law with its work and its strength needs nothing of the half space
+        // a cohesive law with its work and its strength or its table needs nothing of the half space
         "adhesion" => {
             let half_space: Vec<&str> = keys_of(name).filter(needed).map(|key| key.name).collect();
-            schema["anyOf"] = json!([{ "required": half_space }, { "required": ["law", "work", "strength"] }]);
+            schema["anyOf"] = json!([{ "required": half_space }, { "required": ["law", "work", "strength"] }, { "required": ["law", "table"] }]);
         }
         _ => {
             let alone = keys_of(name).filter(needed).filter(|key| key.alternative().is_none());

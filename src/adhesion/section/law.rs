@@ -3,6 +3,7 @@
 use super::barrier::Barrier;
 use super::cohesive::CohesiveShape;
 use super::cohesive::calibrated::Cohesive;
+use super::cohesive::tabulated::TractionTable;
 use super::own::OwnLaw;
 use crate::adhesion::levels::half_space::HalfSpace;
 
@@ -72,23 +73,40 @@ impl Attraction {
         self.is_of_half_space()
     }
 
-    /// Whether work of adhesion and strength may be given; all others follow from their own constants.
+    /// Whether work of adhesion and strength may be given; all others follow from their own constants or rows.
     pub fn takes_work_and_strength(self) -> bool {
+        self.is_cohesive() && self.table().is_none()
+    }
+
+    /// Whether it is a cohesive law, which may have a shear strength.
+    pub fn is_cohesive(self) -> bool {
         matches!(self, Self::Cohesive(_))
+    }
+
+    /// The rows of a measured law, from which work of adhesion and strength follow.
+    pub fn table(self) -> Option<&'static TractionTable> {
+        match self {
+            Self::Cohesive(CohesiveShape::Measured(curve)) => Some(curve.table()),
+            _ => None,
+        }
     }
 
     fn is_of_half_space(self) -> bool {
         matches!(self, Self::BodyForce | Self::SurfaceTraction)
     }
 
-    /// The law with its numbers: work of adhesion (nN/nm) and strength (nN/nm²) of a cohesive one, which are else the half space's.
+    /// The law with its numbers: work of adhesion (nN/nm) and strength (nN/nm²) of a cohesive one, which are else those of its table or the half
+    /// space's.
     pub fn law(self, half_space: &HalfSpace, work: Option<f64>, strength: Option<f64>) -> Law {
         match self {
             Self::BodyForce => Law::BodyForce,
             Self::SurfaceTraction => Law::SurfaceTraction,
             Self::Cohesive(shape) => {
-                let strength = strength.unwrap_or_else(|| half_space.strength());
-                let work = work.unwrap_or_else(|| half_space.work_of_adhesion());
+                let [own_work, own_strength] = match self.table() {
+                    Some(table) => [table.work(), table.strength()],
+                    None => [half_space.work_of_adhesion(), half_space.strength()],
+                };
+                let (work, strength) = (work.unwrap_or(own_work), strength.unwrap_or(own_strength));
                 Law::Cohesive(Cohesive::calibrated(shape, strength, work, half_space))
             }
             Self::Own(own) => Law::Own(own),

@@ -1,8 +1,17 @@
-//! The adhesion model as it is written and read: by its name in a scene.
+//! The adhesion model as it is written and read: by its name in a scene, or by the rows of its table.
 
+use super::cohesive::CohesiveShape;
+use super::cohesive::tabulated::{Measured, TractionTable};
 use super::law::Attraction;
 use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Error as _, Serialize, Serializer};
+
+#[derive(serde::Deserialize)]
+#[serde(untagged)]
+enum Written {
+    Name(String),
+    Table(TractionTable),
+}
 
 impl Serialize for Attraction {
     /// A law of the user's own is refused: its name alone does not say what it is.
@@ -13,14 +22,20 @@ impl Serialize for Attraction {
                  which they are read again",
                 own.law().name()
             ))),
-            Self::BodyForce | Self::SurfaceTraction | Self::Cohesive(_) => serializer.serialize_str(self.name()),
+            Self::BodyForce | Self::SurfaceTraction | Self::Cohesive(_) => match self.table() {
+                Some(table) => table.serialize(serializer),
+                None => serializer.serialize_str(self.name()),
+            },
         }
     }
 }
 
 impl<'de> Deserialize<'de> for Attraction {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let name = String::deserialize(deserializer)?;
+        let name = match Written::deserialize(deserializer)? {
+            Written::Name(name) => name,
+            Written::Table(table) => return Ok(Self::Cohesive(CohesiveShape::Measured(Measured::through(&table)))),
+        };
         Self::named(&name).ok_or_else(|| {
             let names: Vec<String> = Self::all().map(|law| format!("\"{}\"", law.name())).collect();
             D::Error::custom(format!("there is no law of adhesion {name:?}; it is {}", names.join(" or ")))

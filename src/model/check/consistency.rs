@@ -58,18 +58,17 @@ fn key_of_length(body: &Body) -> &'static str {
 /// That work and strength belong to the law, and that what has a pretension is stretched.
 fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     let adhesion = &model.adhesion;
-    if !adhesion.attraction.takes_work_and_strength() {
-        let given = [
-            ("adhesion.work", adhesion.work, "J/m2"),
-            ("adhesion.strength", adhesion.strength, "GPa"),
-            ("adhesion.shear_strength", adhesion.shear_strength, "GPa"),
-        ];
-        for (key, value, unit) in given {
-            if let Some(value) = value {
-                let kind = ModelErrorKind::NotOfCohesiveLaw { found: Measured { value, unit } };
-                return Err(ModelError::new(key, kind));
-            }
+    let numbers = [("adhesion.work", adhesion.work, "J/m2"), ("adhesion.strength", adhesion.strength, "GPa")];
+    let shear = [("adhesion.shear_strength", adhesion.shear_strength, "GPa")];
+    let given = |(key, value, unit): (&'static str, Option<f64>, &'static str)| {
+        value.map(|value| (key, Measured { value, unit }))
+    };
+    if !adhesion.attraction.is_cohesive() {
+        if let Some((key, found)) = numbers.into_iter().chain(shear).find_map(given) {
+            return Err(ModelError::new(key, ModelErrorKind::NotOfCohesiveLaw { found }));
         }
+    } else if let (Some(_), Some((key, found))) = (adhesion.attraction.table(), numbers.into_iter().find_map(given)) {
+        return Err(ModelError::new(key, ModelErrorKind::BesideTable { found }));
     }
     shear_strength(model)?;
     let stretched = model.strip().is_some() && model.ground.substrate.is_flat();

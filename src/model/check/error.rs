@@ -61,6 +61,9 @@ pub enum ModelErrorKind {
     /// Work of adhesion or strength beside a law that has its own.
     #[error("belongs to a cohesive law, and the law of this scene is not cohesive")]
     NotOfCohesiveLaw { found: Measured },
+    /// The same beside a table of tractions.
+    #[error("follows from the table of tractions")]
+    BesideTable { found: Measured },
     /// A shear strength beside something that is not computed with one.
     #[error("is given beside {what}, which is not computed with a shear strength of the adhesion")]
     ShearBeside { what: &'static str },
@@ -161,6 +164,7 @@ impl ModelErrorKind {
             Self::NotFinite { found, .. }
             | Self::OutOfRange { found, .. }
             | Self::NotOfCohesiveLaw { found }
+            | Self::BesideTable { found }
             | Self::NotStretched { found }
             | Self::NoShearStrength { found }
             | Self::FrictionOffFlatGround { found }
@@ -214,6 +218,7 @@ impl ModelErrorKind {
     fn plain_remedy(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } | Self::OutOfRange { .. } | Self::NotOfCohesiveLaw { .. } | Self::Substrate(_) => "",
+            Self::BesideTable { .. } => "Remove it, or use another `law` than \"table\".",
             Self::NotStretched { .. } => {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`."
             }

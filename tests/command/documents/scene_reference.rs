@@ -38,7 +38,7 @@ fn takes(key: &Key) -> [String; 2] {
         Kind::Count(1_000_000_000, _) => ["a whole number".into(), "1 to 1e9".into()],
         Kind::Count(most, _) | Kind::Fixed(most, _) => ["a whole number".into(), format!("1 to {most}")],
         Kind::Flag(_) | Kind::InSpace => ["`true` or `false`".into(), String::new()],
-        Kind::Table(_) | Kind::Heights(_) => {
+        Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_) => {
             ["a CSV in quotes, or the name of a file beside the scene".into(), String::new()]
         }
         Kind::Pieces(_) => ["a list of pieces".into(), String::new()],

@@ -7,6 +7,7 @@ mod error_bounds;
 mod events;
 mod fit;
 mod followed_until;
+mod measured_law;
 mod observed;
 mod observed_in_space;
 mod optimisation;

@@ -58,6 +58,12 @@ fn with_value(key: &Key, value: &str) -> String {
         let is_of_space = other.is_of_space() || other.name == "space";
         fits(other) && if in_space { !of_plane(other) } else { !is_of_space }
     };
+    // a law of a table takes its rows, and neither work nor strength
+    let of_table = matches!(key.kind, Kind::Tractions(_));
+    let fits = |other: &&Key| {
+        let rows = matches!(other.kind, Kind::Tractions(_));
+        fits(other) && if of_table { other.table != "adhesion" || rows || other.name == "law" } else { !rows }
+    };
     // a profile takes a table or pieces
     let outline = if key.alternative().is_some() { key.name } else { "table" };
     let fits = |other: &&Key| fits(other) && (other.alternative().is_none() || other.name == outline);
@@ -65,6 +71,7 @@ fn with_value(key: &Key, value: &str) -> String {
     let fits = |other: &&Key| fits(other) && (other.table == key.table || !QUESTIONS.contains(&other.table));
     let line = |other: &Key| match shape {
         _ if other.path() == key.path() => format!("{} = {value}\n", other.path()),
+        _ if of_table && other.name == "law" => format!("{} = \"table\"\n", other.path()),
         Some(shape) if other.name == "shape" => format!("{} = \"{shape}\"\n", other.path()),
         _ => format!("{} = {}\n", other.path(), other.example()),
     };

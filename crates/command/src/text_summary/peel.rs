@@ -13,7 +13,7 @@ use peelkit::study::{
     NotOutOfPlane, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity,
     Stations, TermDecisions, TermEffect, WarningKind,
 };
-use peelkit::units::{BENDING_STIFFNESSES, LENGTHS};
+use peelkit::units::{BENDING_STIFFNESSES, LENGTHS, PRESSURES};
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
 use std::f64::consts::FRAC_PI_2;
@@ -353,6 +353,15 @@ fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
             short(angle),
         ),
     )];
+    let measured = model.adhesion.attraction.table().map(|table| {
+        format!(
+            "measured law: {} rows, strength {}, up to an opening of {}",
+            table.rows(),
+            fitting_text(PRESSURES, table.strength()),
+            fitting_text(LENGTHS, table.range())
+        )
+    });
+    lines.extend(measured.map(|text| ("", text)));
     lines.extend(slides.map(|force| ("", format!("for a film that slides without friction {force}"))));
     let supplied =
         || format!("equilibrium distance {}, a tenth of work over strength", fitting_text(LENGTHS, distance));

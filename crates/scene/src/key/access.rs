@@ -1,11 +1,13 @@
 //! A value goes into a scene under its key, and comes out again.
 
+use super::choice::measured;
 use super::kind::{Key, Kind};
 use crate::body::{set_space, shape_names};
 use crate::error::ValueError;
 use crate::scene::Scene;
 use crate::value::quantity::{Comma, Dimension, parse_quantity};
 use crate::value::table::{read_heights, read_profile};
+use crate::value::traction::read_tractions;
 use crate::value::{Fault, Value, pieces, quoted, steps};
 use peelkit::adhesion::Substrate;
 use peelkit::model::{Measured, ModelErrorKind, ProfileForm, Range, angle_text};
@@ -49,6 +51,12 @@ impl Key {
                     read_heights(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
                 *place(scene) = Substrate::Profile(Arc::new(heights));
                 scene.table_texts.substrate = text;
+            }
+            (Kind::Tractions(place), Value::Text(text)) => {
+                let (table, text) =
+                    read_tractions(&scene.name, text).map_err(|found| ValueError::new(found, self.remedy()))?;
+                *place(scene) = measured(&table);
+                scene.table_texts.law = text;
             }
             (
                 Kind::Measure(dimension, ..) | Kind::Quantity(dimension, _) | Kind::Bound(dimension, _),
@@ -162,6 +170,10 @@ impl Key {
                 Substrate::Profile(_) => Value::Text(scene.table_texts.substrate.clone()),
                 _ => return None,
             },
+            Kind::Tractions(place) => {
+                place(&mut scene).table()?;
+                Value::Text(scene.table_texts.law.clone())
+            }
         })
     }
 }

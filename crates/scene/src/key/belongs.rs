@@ -1,7 +1,7 @@
 //! Which keys a scene may hold, and what is said of the others.
 
 use super::kind::{Key, Kind};
-use super::table::{SETA, SUBSTRATE};
+use super::table::{ADHESION, SETA, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
@@ -19,6 +19,10 @@ enum Misfit {
     InPlane,
     /// Its substrate has another shape.
     Shape,
+    /// Its law of adhesion is another.
+    Law,
+    /// It follows from the table of the law.
+    OfTable,
     /// Its beam has another key in place of this one.
     Beside(&'static str),
 }
@@ -45,6 +49,14 @@ impl Key {
         }
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
+        }
+        let law = scene.model.adhesion.attraction;
+        match (self.table == ADHESION.name, &self.kind) {
+            (true, Kind::Tractions(_)) if law.table().is_none() => return Some(Misfit::Law),
+            (true, _) if law.table().is_some() && ["work", "strength"].contains(&self.name) => {
+                return Some(Misfit::OfTable);
+            }
+            _ => {}
         }
         // a profile takes a table or pieces, and not both
         let Body::Profile(profile) = &scene.model.body else { return None };
@@ -115,6 +127,17 @@ impl Key {
                     format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."),
                 )
             }
+            Misfit::Law => ValueError::new(
+                format!(
+                    "is a key of [adhesion] for `law` = \"table\", and the law is \"{}\"",
+                    scene.model.adhesion.attraction.name()
+                ),
+                format!("Write `law = \"table\"`, or remove `{name}`."),
+            ),
+            Misfit::OfTable => ValueError::new(
+                "is given beside `law` = \"table\", from whose rows it follows",
+                format!("Remove `{name}`, or use another `law`."),
+            ),
             Misfit::Beside(other) => ValueError::new(
                 format!("is given beside `{table}.{other}`, and the beam has one geometry"),
                 format!("Remove one of `{name}` and `{other}`."),

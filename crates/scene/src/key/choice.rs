@@ -1,7 +1,7 @@
 //! A key that takes one of several words: which, and where in a scene the one that is chosen stands.
 
 use crate::scene::Scene;
-use peelkit::adhesion::{LineLoad, SectionShape};
+use peelkit::adhesion::{CohesiveShape, LineLoad, Measured, SectionShape, TractionTable};
 use peelkit::model::{Attraction, Hold, Start};
 use peelkit::study::{FollowedUntil, Terms};
 
@@ -17,10 +17,30 @@ pub(crate) const SECTIONS: Named<SectionShape> =
 pub(crate) const HOLDS: Named<Hold> = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 pub(crate) const ENDS: Named<FollowedUntil> = &FollowedUntil::NAMED;
 
-/// The names of the adhesion models in a scene.
-pub(crate) fn attractions() -> Vec<(&'static str, Attraction)> {
-    Attraction::all().map(|attraction| (attraction.name(), attraction)).collect()
+/// The adhesion models that a scene may name; that of a table has its rows under a key of its own.
+fn attractions() -> Vec<Attraction> {
+    Attraction::all().chain([measured(&TractionTable::default())]).collect()
 }
+
+/// The law of a table.
+pub(crate) fn measured(table: &TractionTable) -> Attraction {
+    Attraction::Cohesive(CohesiveShape::Measured(Measured::through(table)))
+}
+
+/// The adhesion model of a scene.
+pub(crate) static LAW: Choice = Choice {
+    words: || attractions().into_iter().map(Attraction::name).collect(),
+    example: "\"bilinear\"",
+    put: |scene, number| {
+        let place = &mut scene.model.adhesion.attraction;
+        let chosen = attractions().get(number).copied().filter(|chosen| chosen.name() != place.name());
+        if let Some(chosen) = chosen {
+            *place = chosen;
+            scene.table_texts.law.clear();
+        }
+    },
+    held: |scene| attractions().iter().position(|law| law.name() == scene.model.adhesion.attraction.name()),
+};
 
 /// What a key of words takes, and where it goes.
 #[derive(Debug)]

@@ -7,7 +7,7 @@ use crate::value::form::Form;
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value};
 use peelkit::adhesion::Substrate;
-use peelkit::model::{ProfileForm, Range, Step};
+use peelkit::model::{Attraction, ProfileForm, Range, Step};
 
 /// Whether a scene has to hold a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,6 +68,8 @@ pub enum Kind {
     Shape(fn(&mut Scene) -> &mut Substrate),
     /// Heights of the substrate: a CSV of several lines, or the name of its file, which is looked for beside the scene.
     Heights(fn(&mut Scene) -> &mut Substrate),
+    /// Openings and tractions of a cohesive law: a CSV of several lines, or the name of its file, which is looked for beside the scene.
+    Tractions(fn(&mut Scene) -> &mut Attraction),
     /// A setting of an analysis that the scene asks for.
     Setting(&'static Setting),
     /// A list of motions of the grip before the pull.
@@ -138,7 +140,7 @@ impl Key {
 
     /// Whether its value may be the name of a file.
     pub(crate) fn reads_a_file(&self) -> bool {
-        matches!(self.kind, Kind::Table(_) | Kind::Heights(_))
+        matches!(self.kind, Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_))
     }
 
     /// Whether its values are TOML strings.

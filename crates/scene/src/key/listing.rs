@@ -63,7 +63,7 @@ impl Key {
             Kind::Quantity(..) | Kind::Bound(..) => numbers(Range::Positive),
             Kind::Count(most, _) | Kind::Fixed(most, _) => format!("1 to {}, whole", show(most as f64)),
             Kind::Flag(_) | Kind::InSpace => "true, false".into(),
-            Kind::Table(_) | Kind::Heights(_) => "CSV, or its file".into(),
+            Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_) => "CSV, or its file".into(),
             Kind::Pieces(_) => "list of tables".into(),
             Kind::Steps(_) => "list of texts".into(),
             Kind::Setting(setting) => setting.brief.into(),
@@ -74,7 +74,7 @@ impl Key {
     /// What its value looks like.
     pub fn form(&self) -> Form {
         match self.kind {
-            Kind::Text(_) | Kind::Table(_) | Kind::Heights(_) => Form::Text,
+            Kind::Text(_) | Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_) => Form::Text,
             Kind::Number(range, _) | Kind::Share(range, _) => Form::Number(range),
             Kind::Measure(dimension, range, _) => Form::Quantity(dimension, range),
             Kind::Quantity(dimension, _) | Kind::Bound(dimension, _) => Form::Quantity(dimension, Range::Positive),

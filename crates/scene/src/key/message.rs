@@ -31,6 +31,11 @@ impl Key {
             Kind::Steps(_) => steps::TAKES.into(),
             Kind::Setting(setting) => setting.takes.into(),
             Kind::Pieces(_) => pieces::TAKES.into(),
+            Kind::Tractions(_) => {
+                "a CSV in quotes, or the name of a file beside the scene: one row for each opening, from 0 on, with the columns \
+                               opening_um and traction_MPa, or of other units"
+                    .into()
+            }
             Kind::Heights(_) => {
                 "a CSV in quotes, or the name of a file beside the scene: one row for each position, with the columns x_nm and \
                                height_nm"
@@ -109,6 +114,7 @@ impl Key {
             (_, Kind::Pieces(_)) => "[{ length = \"90 nm\", width = [\"9 nm\", \"5 nm\"], height = \"5 nm\" }]",
             (_, Kind::Steps(_)) => "[\"press 0.1 nm\", \"turn 1 deg\", \"hold\"]",
             (_, Kind::Shape(_)) => "\"flat\"",
+            (_, Kind::Tractions(_)) => "\"opening_um,traction_MPa\\n0,0\\n20,0.8\\n150,0\"",
             (_, Kind::Heights(_)) => "\"x_nm,height_nm\\n0,0\\n50,-8\\n100,0\"",
         }
     }

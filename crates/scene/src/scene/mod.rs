@@ -62,6 +62,15 @@ pub struct TableTexts {
     pub profile: String,
     /// Of `substrate.table`.
     pub substrate: String,
+    /// Of `adhesion.table`.
+    pub law: String,
+}
+
+impl TableTexts {
+    /// Whether the scene has no table.
+    pub fn is_empty(&self) -> bool {
+        [&self.profile, &self.substrate, &self.law].into_iter().all(String::is_empty)
+    }
 }
 
 /// What a scene describes, with the tables that say so.

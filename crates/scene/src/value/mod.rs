@@ -5,6 +5,7 @@ pub(crate) mod pieces;
 pub(crate) mod quantity;
 pub(crate) mod steps;
 pub(crate) mod table;
+pub(crate) mod traction;
 mod unit;
 
 use crate::error::one_line;

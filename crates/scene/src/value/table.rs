@@ -2,7 +2,7 @@
 
 use crate::error::one_line;
 use csv::StringRecord;
-use peelkit::adhesion::{Heights, HeightsError};
+use peelkit::adhesion::{Heights, HeightsError, TractionTableError};
 use peelkit::model::{ProfileColumns, ProfileTable, TableError};
 use std::fs;
 use std::path::Path;
@@ -22,6 +22,21 @@ pub enum CsvError {
     /// The columns are these, and not those of heights.
     #[error("has the columns {0}; it takes x_nm and height_nm")]
     Columns(String),
+    /// The columns are these, and not those of a law.
+    #[error("has the columns {0}; it takes an opening and a traction with their units, as opening_um,traction_MPa")]
+    TractionColumns(String),
+    /// A cell is wrong, by the lines of the text.
+    #[error("has in line {line} `{column}` = {found}, which {wrong}")]
+    Line {
+        /// From 1, with the header and the remarks.
+        line: usize,
+        /// Its name in the header.
+        column: String,
+        /// The text of the cell.
+        found: String,
+        /// What is wrong with it.
+        wrong: &'static str,
+    },
     /// A cell holds no number.
     #[error("has in row {row} `{column}` = {found}, which is no number")]
     NoNumber {
@@ -38,6 +53,9 @@ pub enum CsvError {
     /// The numbers are no heights of a substrate.
     #[error(transparent)]
     Heights(#[from] HeightsError),
+    /// The numbers are no cohesive law.
+    #[error(transparent)]
+    Tractions(#[from] TractionTableError),
 }
 
 /// Largest file that is read, bytes.
@@ -172,11 +190,11 @@ impl<const N: usize> Cells<N> {
     }
 }
 
-fn reader(text: &str) -> csv::Reader<&[u8]> {
+pub(super) fn reader(text: &str) -> csv::Reader<&[u8]> {
     csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes())
 }
 
-fn no_csv(error: csv::Error) -> CsvError {
+pub(super) fn no_csv(error: csv::Error) -> CsvError {
     CsvError::Csv(error.to_string())
 }
 
@@ -187,7 +205,7 @@ fn written(records: &[StringRecord], row: usize, place: Option<usize>) -> String
 }
 
 /// The beginning of a cell.
-fn shown(cell: &str) -> String {
+pub(super) fn shown(cell: &str) -> String {
     cell.chars().take(40).collect()
 }
 
@@ -203,7 +221,7 @@ pub(crate) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), 
 
 /// Reads a table from a CSV of several lines, or from the file that a text of one line names, beside the scene `name`. The error
 /// says what was found.
-fn read<T>(name: &str, text: &str, parse: fn(&str) -> Result<T, CsvError>) -> Result<(T, String), String> {
+pub(super) fn read<T>(name: &str, text: &str, parse: fn(&str) -> Result<T, CsvError>) -> Result<(T, String), String> {
     if text.contains('\n') {
         return parse(text).map(|table| (table, text.to_owned())).map_err(|error| error.to_string());
     }

@@ -91,7 +91,7 @@ impl Cohesive {
 
     /// The distance beyond which a thousandth of the strength is not reached, nm.
     pub fn cutoff_distance(&self) -> f64 {
-        let openings = Bracket { low: 0.5, high: 50.0 };
+        let openings = Bracket { low: self.shape.pulling(), high: 50.0 };
         let pulls = |opening: f64| self.shape.at(opening)[1] > 1e-3;
         self.closed + self.range * openings.bisected(pulls, |left| left.width() <= 1e-12 * left.high).high
     }

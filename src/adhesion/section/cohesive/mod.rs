@@ -6,8 +6,10 @@ mod at;
 pub(crate) mod calibrated;
 mod on_width;
 mod ramp;
+pub(crate) mod tabulated;
 
 use at::At;
+use tabulated::Measured;
 
 /// Makes the list of shapes from lines `/// what it is` and `Name = file`. A file has `NAME`, as a scene calls the law, `CORNERS`, how many
 /// times as many elements it takes as a law without corners, `KNOTS`, zero and the openings δ/δ_r, ascending, between which it
@@ -21,16 +23,19 @@ macro_rules! shapes {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum CohesiveShape {
             $($(#[$what])* $shape,)*
+            /// Through the rows of a table.
+            Measured(Measured),
         }
 
         impl CohesiveShape {
-            /// Every shape.
+            /// Every shape that has a form of its own.
             pub const ALL: &'static [Self] = &[$(Self::$shape),*];
 
             #[inline(always)]
             fn at(self, t: f64) -> At {
                 match self {
                     $(Self::$shape => $file::at(t),)*
+                    Self::Measured(curve) => curve.at(t),
                 }
             }
 
@@ -38,6 +43,7 @@ macro_rules! shapes {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$shape => $file::NAME,)*
+                    Self::Measured(_) => tabulated::NAME,
                 }
             }
 
@@ -46,11 +52,12 @@ macro_rules! shapes {
             fn primitive(self, t: f64) -> f64 {
                 match self {
                     $(Self::$shape => $file::primitive(t),)*
+                    Self::Measured(curve) => curve.primitive(t),
                 }
             }
 
             /// Between these openings δ/δ_r, ascending, s is a polynomial of degree 8 at most, or smooth altogether.
-            pub const fn knots(self) -> &'static [f64] {
+            pub fn knots(self) -> &'static [f64] {
                 match self.knots_of_parts().split_first() {
                     Some((_, knots)) => knots,
                     None => &[],
@@ -58,9 +65,10 @@ macro_rules! shapes {
             }
 
             /// The same, with zero before them, where what attracts an open face and what repels a pressed one join.
-            pub const fn knots_of_parts(self) -> &'static [f64] {
+            pub fn knots_of_parts(self) -> &'static [f64] {
                 match self {
                     $(Self::$shape => $file::KNOTS,)*
+                    Self::Measured(curve) => curve.knots(),
                 }
             }
 
@@ -68,6 +76,7 @@ macro_rules! shapes {
             pub const fn corners(self) -> f64 {
                 match self {
                     $(Self::$shape => $file::CORNERS,)*
+                    Self::Measured(_) => tabulated::CORNERS,
                 }
             }
         }
@@ -89,5 +98,13 @@ impl CohesiveShape {
     /// ∫ s over the openings above zero: the work of adhesion over strength and range.
     pub fn work(self) -> f64 {
         self.at(0.0)[0]
+    }
+
+    /// An opening δ/δ_r at which it still pulls, and behind which it falls off.
+    fn pulling(self) -> f64 {
+        match self {
+            Self::Measured(curve) => curve.last_top(),
+            _ => 0.5,
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Texts that may mean nothing.
 
 use super::dice::Dice;
-use peelkit_scene::{BODIES, KEYS, Key, Need};
+use peelkit_scene::{BODIES, KEYS, Key, Kind, Need};
 use std::fmt::Write;
 
 /// Values that somebody may write or that a program may have written.
@@ -106,6 +106,7 @@ pub fn garbled_text(dice: &mut Dice) -> String {
         .filter(|key| if in_space { !of_plane(key) } else { !of_space(key) })
         .filter(|key| key.table != "substrate" || key.shapes().contains(&shape))
         .filter(|key| key.alternative().is_none() || key.name != left_out)
+        .filter(|key| !matches!(key.kind, Kind::Tractions(_)))
         .filter(|key| key.need == Need::Required || key.name == "shape" || dice.below(2) == 0)
         .map(|key| (key.table, key.name.to_owned(), key.example().to_owned()))
         .collect();
