@@ -70,7 +70,7 @@ pub fn parse_tractions(text: &str) -> Result<TractionTable, CsvError> {
     let complete = fault.is_none();
     let [openings, tractions] = columns;
     match (TractionTable::new(openings, tractions), fault) {
-        (Err(TractionTableError::Row { row, column, wrong }), _) if complete || row < cells.len() => {
+        (Err(TractionTableError::Row { row, column, wrong }), _) if complete || row == 1 || row < cells.len() => {
             let (line, record) = &cells[row - 1];
             let found = record.get(column).map(shown).unwrap_or_default();
             Err(CsvError::Line { line: *line, column: names[column].clone(), found, wrong })
