@@ -34,7 +34,7 @@ fn rigid_lamellae() {
 #[test]
 fn branches_that_do_not_bend() {
     let mut stiff = toe(Some(20));
-    stiff.lamella.section.bending *= 1e7;
+    stiff.lamella.section.bending *= 1e4;
     let first = stiff.follow(LIFT, [0.0; 3], 1).unwrap().events.remove(0);
     let (row, l, ei) = (COLUMNS as f64 * STIFFNESS, stiff.pitch, stiff.pad.bending);
     // θ in units of 1/l, so that all entries are of one size
@@ -54,7 +54,7 @@ fn branches_that_do_not_bend() {
     let reach = (30f64.to_radians().tan() * 2e6 * UN / 12.0) / (60.0 * row);
     let all = (0..12).flat_map(|node| places.iter().map(move |x| (node, x)));
     let largest = all.map(|(node, x)| at[2 * node] + x * at[2 * node + 1]).fold(0.0, f64::max);
-    assert_relative_eq!(first.load, reach / largest, max_relative = 1e-5);
+    assert_relative_eq!(first.load, reach / largest, max_relative = 1e-4);
     // its distal end lets go first
     assert_eq!(first.row, 0);
 }
@@ -64,7 +64,7 @@ fn branches_that_do_not_bend() {
 fn branches_on_one_row() {
     let full = toe(Some(0));
     let mut weak = Toe { lamella: Lamella { rows: 2, ..full.lamella.clone() }, ..full };
-    weak.lamella.section.bending *= 1e-12;
+    weak.lamella.section.bending *= 1e-15;
     let rows = Lamella { rows: 12, pitch: weak.pitch, section: weak.pad, ..weak.lamella.clone() };
     let first = weak.follow(LIFT, [0.0; 3], 1).unwrap().events.remove(0);
     let band = rows.follow(LIFT, [0.0; 3], 1).unwrap().events.remove(0);
