@@ -176,7 +176,7 @@ impl LoadedArray {
                     (lift, 0.0)
                 }
             };
-            if number >= most || (number % ASKED == 0 && stopped()) {
+            if number >= most || (number.is_multiple_of(ASKED) && stopped()) {
                 out.end = if number >= most { ArrayEnd::Events } else { ArrayEnd::Stopped };
                 return Ok(out);
             }
@@ -196,7 +196,7 @@ impl LoadedArray {
             energy_before = self.energy_on(&line, lift);
             let highest = out.events.get(out.peak).is_none_or(|peak| load > peak.load);
             // every so often the energy is computed from the places, as a check
-            if highest || number % BALANCED == 0 {
+            if highest || number.is_multiple_of(BALANCED) {
                 let stored = self.energy(&line.at(lift)) - at_start;
                 out.imbalance = out.imbalance.max(((work - stored - released) / work).abs());
             }

@@ -192,7 +192,7 @@ impl RootLaw {
 
 fn checked_plane(exit: &ExitPlane) -> Result<(), RootLawError> {
     let length = exit.direction[0].hypot(exit.direction[1]);
-    if !((length - 1.0).abs() < 1e-9) {
+    if !length.is_finite() || (length - 1.0).abs() > 1e-9 {
         return Err(RootLawError::Direction { direction: exit.direction, length });
     }
     if exit.distance.is_finite() && exit.distance >= 0.0 {

@@ -107,7 +107,7 @@ impl Patch {
             let direction = unit(step.angle);
             let mut left = step.distance.unwrap_or(f64::INFINITY);
             while cluster.adhering() > 0 {
-                if out.events.len() % ASKED == 0 && stopped() {
+                if out.events.len().is_multiple_of(ASKED) && stopped() {
                     out.end = ArrayEnd::Stopped;
                     break;
                 }
