@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 pub struct ArrayRun<'s> {
     scene: &'s Scene,
     table: &'s ArrayTable,
-    array: SetaArray,
+    array: Box<SetaArray>,
 }
 
 impl<'s> ArrayRun<'s> {
@@ -34,7 +34,7 @@ impl<'s> ArrayRun<'s> {
         let table = scene.array.as_ref().ok_or_else(|| Refusal::scene("it has no table [setae]", "Add one."))?;
         let array = scene.seta_array(table);
         let array = array.ok_or_else(|| Refusal::scene("its setae stand on nothing", "Add [patch] or [lamella]."))?;
-        Ok(Self { scene, table, array })
+        Ok(Self { scene, table, array: Box::new(array) })
     }
 }
 
