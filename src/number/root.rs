@@ -124,7 +124,7 @@ impl Bracket {
 const MOST_SOLVES: usize = 40;
 
 /// Where what is solved for at a place passes zero, between two places with their values, of which it is above at one alone: by the rule of false
-/// position, in which an end that stays has half of its value, so that the other does not creep (Illinois). `solve` gives what is there and its
+/// position, in which an end that stays once more has half of its value, so that the other does not creep (Illinois). `solve` gives what is there and its
 /// value; `is_met` says by the value, the place and what is left of the bracket whether that is near enough. The last one where none is.
 ///
 /// # Errors
@@ -135,7 +135,7 @@ pub fn passed<T, E>(
     mut solve: impl FnMut(f64) -> Result<(T, f64), E>,
     is_met: impl Fn(f64, f64, f64) -> bool,
 ) -> Result<(T, Passing), E> {
-    let mut looks = 0;
+    let (mut looks, mut low_moved) = (0, None);
     loop {
         let share = if looks % 4 == 3 { 0.5 } else { low.1 / (low.1 - high.1) };
         let place = low.0 + share.clamp(0.0, 1.0) * (high.0 - low.0);
@@ -145,11 +145,13 @@ pub fn passed<T, E>(
         if is_met(value, place, passing.left) || looks == MOST_SOLVES {
             return Ok((found, passing));
         }
-        if (value >= 0.0) == (low.1 >= 0.0) {
-            (low, high.1) = ((place, value), 0.5 * high.1);
-        } else {
-            (high, low.1) = ((place, value), 0.5 * low.1);
+        let moves_low = (value >= 0.0) == (low.1 >= 0.0);
+        let (moving, staying) = if moves_low { (&mut low, &mut high) } else { (&mut high, &mut low) };
+        *moving = (place, value);
+        if low_moved == Some(moves_low) {
+            staying.1 *= 0.5;
         }
+        low_moved = Some(moves_low);
     }
 }
 
