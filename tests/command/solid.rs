@@ -33,7 +33,11 @@ fn what_a_beam_alone_has_is_refused() {
     for option in ["--observed", "--out-of-plane", "--branch", "--sensitivities", "--animate"] {
         is_refused(folder.path(), &["run", SCENE, option], &["has no meaning for a solid", "remove [solid]"]);
     }
-    is_refused(folder.path(), &["run", SCENE, "--at", "P=0.1 nN"], &["stations at displacements alone"]);
+    is_refused(
+        folder.path(),
+        &["run", SCENE, "--at", "P=0.1 nN"],
+        &["has no `force` to look for", "Give values of `displacement`"],
+    );
     let vary = ["sweep", SCENE, "--vary", "strip.height", "--values", "9 nm, 10 nm"];
     is_refused(folder.path(), &[&vary[..], &["--peak-only"]].concat(), &["have no meaning for a solid"]);
     is_refused(folder.path(), &["coarsen", SCENE], &["[solid] is a table of a strip that is computed as a solid"]);

@@ -32,13 +32,11 @@ pub struct Run {
     at: Vec<String>,
 
     /// Records where a quantity passes a value, "P > 0.04 nN" say
-    ///
-    /// With =, < or > for either way, falling or rising; a name may stand before: "half off: front < 50 nm". Adds stations.csv.
     #[arg(long, value_name = "CONDITION")]
     event: Vec<String>,
 
-    /// The same, and follows nothing beyond it
-    #[arg(long, value_name = "CONDITION")]
+    /// The same, and follows nothing beyond it: "half off: front < 50 nm"
+    #[arg(long, value_name = "CONDITION", hide_short_help = true)]
     stop_at: Vec<String>,
 
     /// Adds a displacement-controlled test: stable branches and jumps
@@ -47,9 +45,7 @@ pub struct Run {
     #[arg(long)]
     observed: bool,
 
-    /// Adds the stability of the planar path against leaving its plane
-    ///
-    /// Where a free strip rolls or buckles sideways. For a grip that is free to roll and to rotate.
+    /// Adds the stability of the planar path against leaving its plane: rolling and buckling sideways
     #[arg(long)]
     out_of_plane: bool,
 
@@ -76,7 +72,7 @@ pub struct Run {
     animate: bool,
 
     /// Discards the checkpoint of an unfinished run and starts anew
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     fresh: bool,
 
     #[command(flatten)]

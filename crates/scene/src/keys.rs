@@ -195,7 +195,7 @@ pub static KEYS: &[Key] = &[
     key(&ADHESION, "hamaker_constant", Required, Kind::Quantity(Energy, |s| &mut s.model.adhesion.hamaker_constant), "Hamaker constant A_H of van der Waals forces").titled("Hamaker constant", "A_H"),
     key(&ADHESION, "equilibrium_distance", Required, Kind::Quantity(Length, |s| &mut s.model.adhesion.equilibrium_distance), "r0 of a pair of molecules; gap at rest").titled("equilibrium distance", "r₀"),
     key(&ADHESION, "law", Optional, Kind::Word(&LAW), "adhesion model: law of the half space, or a cohesive law"),
-    key(&ADHESION, "table", Optional, Kind::Tractions(|s| &mut s.model.adhesion.attraction), "law = \"table\": traction over opening, as a CSV, or its file"),
+    key(&ADHESION, "table", Optional, Kind::Tractions(|s| &mut s.model.adhesion.attraction), "of law = \"table\": traction over opening"),
     key(&ADHESION, "work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.work), "work of a cohesive law; else the half space's").titled("work of adhesion", "w"),
     key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "strength of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
     key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction; none: it slides freely").titled("shear strength of the adhesion", "τ"),

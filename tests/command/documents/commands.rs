@@ -70,8 +70,10 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
         if let Some(at) = words.iter().position(|word| word == "--points") {
             words[at + 1] = FEW.to_string();
         }
-        // a point that is followed is looked for on a whole path
-        if !has(&words, "--follow") && !has(&words, "--peak-only") {
+        // a point that is followed is looked for on a whole path; an array has no points, and is small with few setae in a row
+        if text(&words[1]).contains("[setae]") {
+            words.extend(["--set", "setae.columns=2"].map(str::to_owned));
+        } else if !has(&words, "--follow") && !has(&words, "--peak-only") {
             words.extend(["--set", "bounds.points=6"].map(str::to_owned));
         }
         // pictures take longer than so few points; what writes files of its own writes them anew

@@ -64,9 +64,9 @@ const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
-    ("strip-100nm", &[&["--observed"]]),
+    ("strip-100nm", &[&["--observed", "--at", "u=30 nm"]]),
     ("strip-100nm", &[BRANCH]),
-    ("strip-100nm", &[&["--at", "u=30 nm"]]),
+    ("strip-100nm", &[&["--at", "u=30 nm", "--event", "P > 0.04 nN"]]),
     ("strip-100nm", &[&["--sensitivities"]]),
     ("strip-100nm", &[FIXED]),
     ("strip-100nm", &[STEPS]),
@@ -264,7 +264,7 @@ fn every_key_and_column_of_an_uncertain_peel_is_described() {
 fn every_key_and_column_of_a_seta_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/seta.toml", super::ROOT);
-    peel(&[&["run", &scene, "--out", "out"], &crate::seta::SMALL[..]].concat(), folder.path());
+    peel(&[&["run", &scene, "--out", "out", "--at", "u=10 nm"], &crate::seta::SMALL[..]].concat(), folder.path());
     let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
@@ -349,7 +349,7 @@ fn every_key_and_column_of_a_solid_is_described() {
 fn every_key_and_column_of_a_rate_is_described() {
     let folder = tempfile::tempdir().unwrap();
     let scene = format!("{}/scenes/strip-at-a-rate.toml", super::ROOT);
-    peel(&["run", &scene, "--out", "out", "--set", "time.displacement=1 nm"], folder.path());
+    peel(&["run", &scene, "--out", "out", "--at", "u=0.5 nm", "--set", "time.displacement=1 nm"], folder.path());
     let file = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&serde_json::from_str(&file("summary.json")).unwrap(), "", &mut found);
