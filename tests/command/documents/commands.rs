@@ -71,7 +71,7 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
             words[at + 1] = FEW.to_string();
         }
         // a point that is followed is looked for on a whole path; an array has no points, and is small with few setae in a row
-        if text(&words[1]).contains("[setae]") {
+        if std::fs::read_to_string(&words[1]).is_ok_and(|scene| scene.contains("[setae]")) {
             words.extend(["--set", "setae.columns=2"].map(str::to_owned));
         } else if !has(&words, "--follow") && !has(&words, "--peak-only") {
             words.extend(["--set", "bounds.points=6"].map(str::to_owned));
