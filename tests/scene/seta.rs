@@ -104,7 +104,7 @@ fn numbers_out_of_range_and_near_misses_are_named() {
     refused(&with("diameter_ratio = 1.0"), &[], "is 1, which is out of range");
     refused(&with("shaft_lenght = \"70 um\""), &[], "Did you mean `shaft_length`?");
     refused(&with("height_scatter = \"900 nm\""), &[], "`seta.height_scatter` cannot be computed");
-    refused("[setae]\n", &[], "Did you mean [seta]?");
+    refused("[sseta]\n", &[], "Did you mean [seta]?");
     let error = Scene::parse("seta.toml", SETA, &[]).unwrap_err();
     assert_eq!((error.place(), error.key()), (Some("seta.toml, line 2"), Some("seta")));
     assert!(
