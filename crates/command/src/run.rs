@@ -27,7 +27,7 @@ pub struct Run {
 
     /// Computes the path at an exact value besides, u="10 nm" say
     ///
-    /// Of `u` (displacement), `P` (force), `front`, `end_rotation`, `free_end_gap` or, at a rate, `t`; may be repeated. Adds stations.csv.
+    /// Of `u`, `P`, `front`, `end_rotation`, `free_end_gap` or, at a rate, `t`; may be repeated. Adds stations.csv.
     #[arg(long, value_name = "QUANTITY=VALUE")]
     at: Vec<String>,
 
@@ -45,7 +45,7 @@ pub struct Run {
     #[arg(long)]
     observed: bool,
 
-    /// Adds the stability of the planar path against leaving its plane: rolling and buckling sideways
+    /// Adds the stability of the path against rolling or buckling sideways
     #[arg(long)]
     out_of_plane: bool,
 
