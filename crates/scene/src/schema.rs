@@ -30,8 +30,9 @@ pub fn schema() -> Value {
         [SETA.name, "profile"],
     ];
     let apart: Vec<Value> = pairs.iter().map(|pair| json!({ "not": { "required": pair } })).collect();
-    let of_a_body = |body: &str| json!({ "required": [body] });
-    let one: Vec<Value> = BODIES.iter().copied().chain([SETA.name]).map(of_a_body).collect();
+    let of_a_body = |body: &str| json!({ "required": [body, "adhesion"] });
+    let one: Vec<Value> =
+        BODIES.iter().copied().chain([SETA.name]).map(of_a_body).chain([json!({ "required": ["setae"] })]).collect();
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "a scene of peelkit",
@@ -39,7 +40,6 @@ pub fn schema() -> Value {
         "type": "object",
         "properties": properties,
         "additionalProperties": false,
-        "required": ["adhesion"],
         "anyOf": one,
         "allOf": apart,
     })

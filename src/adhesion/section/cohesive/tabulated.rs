@@ -122,6 +122,21 @@ impl TractionTable {
         Ok(Self { openings, tractions })
     }
 
+    /// As one text, which [`Self::of_text`] reads.
+    pub(in crate::adhesion) fn text(&self) -> String {
+        let row = |(opening, traction)| format!("{opening} {traction}");
+        let rows: Vec<String> = self.openings.iter().zip(&self.tractions).map(row).collect();
+        format!("{NAME}: {}", rows.join(", "))
+    }
+
+    /// From the text of a table; none where it is none.
+    pub(in crate::adhesion) fn of_text(text: &str) -> Option<Self> {
+        let rows = text.strip_prefix(NAME)?.strip_prefix(": ")?;
+        let row = |row: &str| row.split_once(' ').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+        let (openings, tractions) = rows.split(", ").map(row).collect::<Option<Vec<(f64, f64)>>>()?.into_iter().unzip();
+        Self::new(openings, tractions).ok()
+    }
+
     /// How many rows it has.
     pub fn rows(&self) -> usize {
         self.openings.len()
