@@ -344,6 +344,14 @@ mod tests {
         TractionTable::new(openings, vec![0.0, 0.15, 0.2, 0.2, 0.12, 0.13, 0.05, 0.0]).unwrap()
     }
 
+    #[test]
+    fn its_text_is_read_as_it_was_written() {
+        assert_eq!(TractionTable::of_text(&table().text()), Some(table()));
+        for wrong in ["table", "bilinear", "table: 0 0, 1", "table: 0 0, 1 x, 2 0", "table: 1 0, 2 1, 3 0"] {
+            assert_eq!(TractionTable::of_text(wrong), None, "{wrong}");
+        }
+    }
+
     /// An exponential law of strength 1 at the opening 1, up to `last` in so many rows, which become sparser.
     fn exponential(rows: usize, last: f64) -> TractionTable {
         let share = |k: usize| k as f64 / (rows - 1) as f64;
