@@ -6,7 +6,7 @@
 use super::law::RootLaw;
 use super::potential::Potential;
 use super::scatter::RootOffset;
-use crate::study::coarsening::seta_law::RootResponse;
+use crate::study::coarsening::seta_law::{RootResponse, dot};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -124,24 +124,28 @@ impl Cluster {
         first
     }
 
-    /// Lets the setae that are next, and all that are where they are, change their sheet with the root at a place. What they are, and the
-    /// energy that is released, aJ.
-    pub fn change(&mut self, exit: &NextExit, root: [f64; 2]) -> (Vec<u32>, f64) {
+    /// Lets the setae that are next, and all that are where they are, change their sheet. What they are.
+    pub fn change(&mut self, exit: &NextExit) -> Vec<u32> {
         let forwards = exit.to > exit.from;
-        let (mut changed, mut released) = (Vec::new(), 0.0);
-        let Some(place) = self.first_of(exit.from, forwards) else { return (changed, released) };
+        let mut changed = Vec::new();
+        let Some(place) = self.first_of(exit.from, forwards) else { return changed };
         while self.first_of(exit.from, forwards) == Some(place) {
             let heap = if forwards { &mut self.leaving } else { &mut self.returning };
             let Some(top) = heap[exit.from].pop() else { break };
             let seta = top.seta as usize;
             let before = self.potential(seta, exit.from);
-            released += before.response(root).energy - self.potential(seta, exit.to).response(root).energy;
             self.total.add(&before, -1.0);
             self.counts[exit.from] -= 1;
             self.enter(seta, exit.to);
             changed.push(top.seta);
         }
-        (changed, released)
+        changed
+    }
+
+    /// Energy that setae release as they change their sheet with the root at a place, aJ.
+    pub fn released(&self, setae: &[u32], exit: &NextExit, root: [f64; 2]) -> f64 {
+        let energy = |seta: u32, sheet: usize| self.potential(seta as usize, sheet).response(root).energy;
+        setae.iter().map(|&seta| energy(seta, exit.from) - energy(seta, exit.to)).sum()
     }
 
     fn enter(&mut self, seta: usize, sheet: usize) {
@@ -182,8 +186,4 @@ impl Cluster {
         }
         None
     }
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }

@@ -102,9 +102,9 @@ pub struct LoadedArray {
     /// The row of each node
     pub rows: Vec<usize>,
     /// Forces and moments that grow, in the order of the unknowns
-    pub grows: Vec<(usize, Vector3<f64>)>,
+    grows: Vec<(usize, Vector3<f64>)>,
     /// Those that stay
-    pub stays: Vec<(usize, Vector3<f64>)>,
+    stays: Vec<(usize, Vector3<f64>)>,
     /// A node that is held along the ground: by a spring of this stiffness, nN/nm, which carries nothing where nothing pulls along the ground
     pub held_along: Option<(usize, f64)>,
     /// Of each node's setae with their roots at rest
@@ -127,6 +127,13 @@ impl LoadedArray {
     pub fn new(chain: Chain, clusters: Vec<Option<Cluster>>, rows: Vec<usize>) -> Self {
         let at_rest = vec![RootResponse::default(); chain.nodes()];
         Self { chain, clusters, rows, grows: Vec::new(), stays: Vec::new(), held_along: None, at_rest }
+    }
+
+    /// With a load at a node that grows, and one that stays there.
+    pub fn loaded(mut self, node: usize, grows: Vector3<f64>, stays: [f64; 3]) -> Self {
+        self.grows = vec![(node, grows)];
+        self.stays = vec![(node, Vector3::from(stays))];
+        self
     }
 
     /// Follows the events until the end, as many as `most`, or until it is `stopped`.
@@ -203,12 +210,11 @@ impl LoadedArray {
             if highest {
                 (out.peak, out.at_peak) = (number, line.at(lift));
             }
-            let at = root(&(line.start[node] + line.along[node] * lift));
             let Some(cluster) = &mut self.clusters[node] else {
                 return Err(ArrayFailure::Circle { events: number, lift });
             };
             let had = cluster.adhering();
-            let (setae, _) = cluster.change(&next, at);
+            let setae = cluster.change(&next);
             let left = cluster.adhering();
             adhering -= had - left;
             holding -= usize::from(had > 0 && left == 0);

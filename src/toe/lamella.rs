@@ -15,7 +15,7 @@ use super::chain::{BandSection, Chain};
 use super::cluster::Cluster;
 use super::events::{ArrayEvent, ArrayFailure, Followed, LoadedArray};
 use super::law::{RootLaw, RootLawError};
-use super::scatter::Scatter;
+use super::scatter::{RootOffset, Scatter};
 use nalgebra::Vector3;
 
 /// What grows, at the place that is pulled.
@@ -127,7 +127,9 @@ impl Lamella {
         if !self.law.is_linear() {
             return Err(ArrayError::NotLinear);
         }
-        checked_scatter(&self.scatter, &self.law, self.rows * self.columns, 0.0)
+        checked_scatter(&self.scatter)?;
+        let offsets = (0..self.rows * self.columns).map(|number| self.scatter.of(number));
+        checked_start(&self.law, offsets, self.scatter.height, 0.0)
     }
 
     /// Its events as the load grows, beside a load (nN, nN, nN nm) that stays at the same place.
@@ -150,13 +152,9 @@ impl Lamella {
         stopped: &dyn Fn() -> bool,
     ) -> Result<Followed, ArrayError> {
         self.check()?;
-        if !self.carries_shear() && (drive.unit().x != 0.0 || stays[0] != 0.0) {
-            return Err(ArrayError::NoShear);
-        }
-        let (mut array, pulled) = self.array();
-        array.grows = vec![(pulled, drive.unit())];
-        array.stays = vec![(pulled, Vector3::from(stays))];
-        Ok(array.follow(most, stopped)?)
+        checked_shear(&self.law, drive, stays)?;
+        let (array, pulled) = self.array();
+        Ok(array.loaded(pulled, drive.unit(), stays).follow(most, stopped)?)
     }
 
     /// Forces along the ground and off it on each row, under a load of one along the ground at the row `sheared`, and off it where it is pulled.
@@ -187,7 +185,7 @@ impl Lamella {
     /// # Errors
     /// As of [`Lamella::shares`]; a law without stiffness along the ground.
     pub fn critical_angle(&self, of_a_seta: f64, sheared: usize) -> Result<f64, ArrayError> {
-        if !self.carries_shear() {
+        if !self.law.carries_shear() {
             return Err(ArrayError::NoShear);
         }
         let shares = self.shares(sheared)?;
@@ -206,10 +204,6 @@ impl Lamella {
         let (place, count) = (row + front, self.rows + front);
         let pulled = self.pulled_at.map_or(0, |row| row + front);
         if place > pulled { count - 1 - place } else { count - 1 - pulled + place }
-    }
-
-    fn carries_shear(&self) -> bool {
-        self.law.stiffness()[0][0] > 0.0
     }
 
     /// Nodes from the far end to where it is pulled, which is the root: rows before and behind it are two branches.
@@ -240,7 +234,7 @@ impl Lamella {
         let clusters = order.iter().map(|&place| row_of(place).map(cluster)).collect();
         let rows = order.iter().map(|&place| row_of(place).unwrap_or(0)).collect();
         let mut array = LoadedArray::new(chain, clusters, rows);
-        array.held_along = (!self.carries_shear()).then(|| (count - 1, self.section.axial / self.pitch));
+        array.held_along = (!self.law.carries_shear()).then(|| (count - 1, self.section.axial / self.pitch));
         (array, count - 1)
     }
 }
@@ -267,19 +261,34 @@ pub(super) fn checked_size(rows: usize, columns: usize, least: usize) -> Result<
     Ok(())
 }
 
-/// Strengths above zero, and all setae adhering when the roots are pressed by so much (nm).
-pub(super) fn checked_scatter(scatter: &Scatter, law: &RootLaw, setae: usize, press: f64) -> Result<(), ArrayError> {
+/// No load along the ground on setae that carry none.
+pub(super) fn checked_shear(law: &RootLaw, drive: ArrayDrive, stays: [f64; 3]) -> Result<(), ArrayError> {
+    let is_sheared = drive.unit().x != 0.0 || stays[0] != 0.0;
+    if is_sheared && !law.carries_shear() { Err(ArrayError::NoShear) } else { Ok(()) }
+}
+
+/// Strengths above zero.
+pub(super) fn checked_scatter(scatter: &Scatter) -> Result<(), ArrayError> {
     if !(0.0..1.0).contains(&scatter.strength) {
         return Err(ArrayError::StrengthScatter { scatter: scatter.strength });
     }
     if !(scatter.height.is_finite() && scatter.height >= 0.0) {
         return Err(ArrayError::NotPositive { name: "scatter of heights", value: scatter.height });
     }
+    Ok(())
+}
+
+/// All setae, whose heights are within ± `height` (nm), adhering when the roots are pressed by so much (nm).
+pub(super) fn checked_start(
+    law: &RootLaw,
+    offsets: impl ExactSizeIterator<Item = RootOffset>,
+    height: f64,
+    press: f64,
+) -> Result<(), ArrayError> {
     let Some(first) = law.sheet(0, 1.0) else { return Ok(()) };
-    let normal = first.exit.direction[1];
+    let (normal, setae) = (first.exit.direction[1], offsets.len());
     let (mut unattached, mut needed) = (0, 0.0f64);
-    for number in 0..setae {
-        let own = scatter.of(number);
+    for own in offsets {
         // u·d at the start, beyond where it lets go; the exit itself belongs to what is loaded
         let beyond = (-press - own.height) * normal - own.strength * first.exit.distance;
         if beyond > 0.0 {
@@ -291,5 +300,5 @@ pub(super) fn checked_scatter(scatter: &Scatter, law: &RootLaw, setae: usize, pr
         return Ok(());
     }
     let reach = first.exit.distance / normal;
-    Err(ArrayError::Unattached { unattached, setae, height: scatter.height, reach, press: needed })
+    Err(ArrayError::Unattached { unattached, setae, height, reach, press: needed })
 }

@@ -148,6 +148,11 @@ impl RootLaw {
         self.sheet(0, 1.0).map_or([[0.0; 2]; 2], |sheet| sheet.potential.response([0.0; 2]).stiffness)
     }
 
+    /// Whether it carries a force along the ground.
+    pub fn carries_shear(&self) -> bool {
+        self.stiffness()[0][0] > 0.0
+    }
+
     /// Work to detach it along the normal from where no force acts, aJ. None where that way does not lead to its exit.
     pub fn work(&self) -> Option<f64> {
         let last = self.sheet(self.sheets() - 1, 1.0)?;

@@ -6,9 +6,10 @@
 
 use super::cluster::Cluster;
 use super::events::{ASKED, ArrayEnd, ArrayEvent};
-use super::lamella::{ArrayError, checked_scatter, checked_size};
+use super::lamella::{ArrayError, checked_scatter, checked_size, checked_start};
 use super::law::RootLaw;
 use super::scatter::{RootOffset, Scatter};
+use crate::study::coarsening::seta_law::dot;
 
 /// The face that carries the roots.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -123,7 +124,8 @@ impl Patch {
                 (way, left) = (way + ahead, left - ahead);
                 let Some(next) = next.filter(|next| next.ahead.max(0.0) <= ahead) else { break };
                 let before = cluster.response(place);
-                let (setae, released) = cluster.change(&next, place);
+                let setae = cluster.change(&next);
+                let released = cluster.released(&setae, &next, place);
                 let after = cluster.response(place);
                 out.released += released;
                 let row = setae.first().map_or(0, |&seta| seta as usize / self.columns);
@@ -185,28 +187,14 @@ impl Patch {
         if !(self.press.is_finite() && self.press >= 0.0) {
             return Err(ArrayError::NotPositive { name: "press", value: self.press });
         }
+        checked_scatter(&self.scatter)?;
         // heights of the dome take reach like those of the setae
-        let deepest = self.offsets().iter().map(|own| own.height).fold(0.0, f64::min);
-        let dome = if self.backing == Backing::Flat { 0.0 } else { deepest };
-        if dome == 0.0 {
-            return checked_scatter(&self.scatter, &self.law, self.rows * self.columns, self.press);
-        }
-        checked_scatter(&self.scatter, &self.law, 0, self.press)?;
-        self.checked_dome()
-    }
-
-    fn checked_dome(&self) -> Result<(), ArrayError> {
-        let Some(first) = self.law.sheet(0, 1.0) else { return Ok(()) };
-        let (normal, setae) = (first.exit.direction[1], self.rows * self.columns);
-        let beyond = |own: &RootOffset| (-self.press - own.height) * normal - own.strength * first.exit.distance;
-        let all: Vec<f64> = self.offsets().iter().map(beyond).filter(|&beyond| beyond > 0.0).collect();
-        if all.is_empty() {
-            return Ok(());
-        }
-        let height = self.offsets().iter().map(|own| own.height.abs()).fold(0.0, f64::max);
-        let press = self.press + all.iter().fold(0.0, |a: f64, &b| a.max(b)) / normal;
-        let reach = first.exit.distance / normal;
-        Err(ArrayError::Unattached { unattached: all.len(), setae, height, reach, press })
+        let offsets = self.offsets();
+        let height = match self.backing {
+            Backing::Flat => self.scatter.height,
+            Backing::Dome { .. } => offsets.iter().map(|own| own.height.abs()).fold(0.0, f64::max),
+        };
+        checked_start(&self.law, offsets.into_iter(), height, self.press)
     }
 
     fn offsets(&self) -> Vec<RootOffset> {
@@ -249,8 +237,4 @@ fn largest_along(cluster: &Cluster, from: [f64; 2], direction: [f64; 2], ahead: 
 /// A direction; along and off the ground it is exact.
 fn unit(angle: f64) -> [f64; 2] {
     if angle == std::f64::consts::FRAC_PI_2 { [0.0, 1.0] } else { [angle.cos(), angle.sin()] }
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }

@@ -14,8 +14,7 @@
 use super::chain::{BandSection, Chain};
 use super::cluster::Cluster;
 use super::events::{Followed, LoadedArray};
-use super::lamella::{ArrayDrive, ArrayError, Lamella, checked_size};
-use nalgebra::Vector3;
+use super::lamella::{ArrayDrive, ArrayError, Lamella, checked_shear, checked_size};
 
 /// A pad on lamellae.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,16 +74,9 @@ impl Toe {
         stopped: &dyn Fn() -> bool,
     ) -> Result<Followed, ArrayError> {
         self.check()?;
-        let shear = self.lamella.law.stiffness()[0][0] > 0.0;
-        if !shear && (drive.unit().x != 0.0 || stays[0] != 0.0) {
-            return Err(ArrayError::NoShear);
-        }
-        let mut array = self.array();
-        let distal = array.chain.nodes() - 1;
-        array.grows = vec![(distal, drive.unit())];
-        array.stays = vec![(distal, Vector3::from(stays))];
-        array.held_along = (!shear).then(|| (distal, self.pad.axial / self.pitch));
-        Ok(array.follow(most, stopped)?)
+        checked_shear(&self.lamella.law, drive, stays)?;
+        let (array, distal) = self.array();
+        Ok(array.loaded(distal, drive.unit(), stays).follow(most, stopped)?)
     }
 
     /// Rows over all lamellae, and setae in each.
@@ -107,7 +99,7 @@ impl Toe {
     }
 
     /// Branches first, each from its ends to where it is joined, then the pad from its far end to the distal one.
-    fn array(&self) -> LoadedArray {
+    fn array(&self) -> (LoadedArray, usize) {
         let [all_rows, columns] = self.size();
         let (rows, band) = (all_rows / self.lamellae, &self.lamella);
         let joined = self.joined_at.unwrap_or(0);
@@ -131,6 +123,9 @@ impl Toe {
             Some(Cluster::new(&band.law, setae))
         };
         let clusters = row_of.iter().map(cluster).collect();
-        LoadedArray::new(chain, clusters, row_of)
+        let distal = chain.nodes() - 1;
+        let mut array = LoadedArray::new(chain, clusters, row_of);
+        array.held_along = (!band.law.carries_shear()).then(|| (distal, self.pad.axial / self.pitch));
+        (array, distal)
     }
 }

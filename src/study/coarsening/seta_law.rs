@@ -391,7 +391,8 @@ fn least_squares(mut matrix: DMatrix<f64>, wanted: &DVector<f64>) -> (Option<DVe
     (solved.map(|x| DVector::from_fn(x.len(), |k, _| x[k] / norms[k])), least)
 }
 
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+/// a·b
+pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 

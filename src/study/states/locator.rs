@@ -63,14 +63,13 @@ pub(in crate::study) struct Found {
 
 /// A value that is sought on a path.
 pub(in crate::study) struct Locator<'p> {
+    model: &'p PeelModel,
     problem: &'p BeamProblem,
     points: &'p [Arc<Solution>],
     /// Solutions next to limit points, each with the point before it
     turns: Vec<(usize, Arc<Solution>)>,
     at: &'p EventAt,
     measure: Measure<'p>,
-    /// The quantities of a beam
-    own: Vec<(StationQuantity, Measure<'p>)>,
     /// The least and the largest value on the path
     pub range: [f64; 2],
     /// The quantity has the value where it is no farther from it
@@ -90,9 +89,7 @@ impl<'p> Locator<'p> {
         let values = points.iter().chain(turns.iter().map(|turn| &turn.1)).map(|point| measure.at(point));
         let range = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)]);
         let tolerance = round_off(&at.quantity, at.value, range[0].abs().max(range[1].abs()));
-        let named = |&quantity: &StationQuantity| (quantity, Measure::named(model, problem, quantity));
-        let own = StationQuantity::OF_BEAM.iter().map(named).collect();
-        Self { problem, points, turns, at, measure, own, range, tolerance }
+        Self { model, problem, points, turns, at, measure, range, tolerance }
     }
 
     /// By how much the quantity is above its value.
@@ -240,10 +237,8 @@ impl<'p> Locator<'p> {
     /// Bounds on the errors of an equilibrium, by the same on more elements.
     fn errors(&self, solution: &Solution, finer: &Solution, share: f64) -> StationErrors {
         let is_asked = |quantity| self.at.quantity == EventQuantity::Named(quantity);
-        let at = |quantity, solution: &Solution| {
-            let own = self.own.iter().find(|own| own.0 == quantity);
-            own.map_or(f64::NAN, |(_, measure)| measure.at(solution))
-        };
+        let measure = |quantity: StationQuantity| Measure::named(self.model, self.problem, quantity);
+        let at = |quantity: StationQuantity, solution: &Solution| measure(quantity).at(solution);
         let difference = |quantity| (at(quantity, finer) - at(quantity, solution)).abs();
         let relative = |quantity| match is_asked(quantity) {
             true => 0.0,
@@ -254,7 +249,8 @@ impl<'p> Locator<'p> {
         let bound = |quantity: StationQuantity| {
             let floor = if is_asked(quantity) { 0.0 } else { COMPANION_FRACTION * companion + share };
             let value = at(quantity, solution).abs();
-            let largest = self.points.iter().map(|point| at(quantity, point).abs()).fold(0.0, f64::max);
+            let own = measure(quantity);
+            let largest = self.points.iter().map(|point| own.at(point).abs()).fold(0.0, f64::max);
             let rounded = round_off(&EventQuantity::Named(quantity), value, largest);
             DIFFERENCE_BOUND_FACTOR * difference(quantity) + floor * value + rounded
         };

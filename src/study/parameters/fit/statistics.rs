@@ -215,24 +215,23 @@ impl Variances {
         weighted
     }
 
-    /// tr(P Aₘ P Aₙ) of two diagonals with P = V⁻¹ - V⁻¹ J C Jᵀ V⁻¹, by the rows of J over the square roots of v, and C; the third diagonal is k.
-    fn information(&self, variances: &[f64], weighted: &DMatrix<f64>, covariance: &DMatrix<f64>) -> [[f64; 3]; 2] {
+    /// tr(P Aₘ P Aₙ) of two diagonals with P = V⁻¹ - V⁻¹ J C Jᵀ V⁻¹, by the rows of J over the square roots of v, and C.
+    fn information(&self, variances: &[f64], weighted: &DMatrix<f64>, covariance: &DMatrix<f64>) -> [[f64; 2]; 2] {
         let sides = weighted * covariance;
-        let diagonals = [&self.of[0], &self.of[1], &self.known];
         // Σᵢ aᵢ/vᵢ jᵢ jᵢᵀ C
-        let through = diagonals.map(|diagonal| {
+        let through = [0, 1].map(|k: usize| {
             let mut scaled = weighted.clone();
-            (0..scaled.nrows()).for_each(|row| scaled.row_mut(row).scale_mut(diagonal[row] / variances[row]));
+            (0..scaled.nrows()).for_each(|row| scaled.row_mut(row).scale_mut(self.of[k][row] / variances[row]));
             scaled.transpose() * &sides
         });
         let leverage = |row: usize| weighted.row(row).dot(&sides.row(row));
         let left: Vec<f64> =
             (0..variances.len()).map(|row| (1.0 - 2.0 * leverage(row)) / variances[row].powi(2)).collect();
         let pair = |m: usize, n: usize| {
-            let own: f64 = (0..left.len()).map(|row| left[row] * diagonals[m][row] * diagonals[n][row]).sum();
+            let own: f64 = (0..left.len()).map(|row| left[row] * self.of[m][row] * self.of[n][row]).sum();
             own + (&through[m] * &through[n]).trace()
         };
-        [0, 1].map(|m| [0, 1, 2].map(|n| pair(m, n)))
+        [0, 1].map(|m| [0, 1].map(|n| pair(m, n)))
     }
 
     /// s² (nN²) and sᵤ² (nm²); 0 of what is known.
@@ -242,12 +241,11 @@ impl Variances {
         let mut found = [if unknown[0] { mean.max(self.least) } else { 0.0 }, 0.0];
         for _ in 0..ROUNDS {
             let variances = self.at(found);
-            let none = DMatrix::zeros(variances.len(), 0);
-            let matrix = self.information(&variances, &none, &DMatrix::zeros(0, 0));
-            let right = [0, 1].map(|m| {
-                let of = |row: usize| self.of[m][row] * self.squares[row] / variances[row].powi(2);
-                (0..variances.len()).map(of).sum::<f64>() - matrix[m][2]
-            });
+            let weighted = |m: usize, times: &dyn Fn(usize) -> f64| -> f64 {
+                (0..variances.len()).map(|row| self.of[m][row] * times(row) / variances[row].powi(2)).sum()
+            };
+            let matrix = [0, 1].map(|m| [0, 1].map(|n| weighted(m, &|row| self.of[n][row])));
+            let right = [0, 1].map(|m| weighted(m, &|row| self.squares[row] - self.known[row]));
             let alone = |k: usize| if matrix[k][k] > 0.0 { (right[k] / matrix[k][k]).max(0.0) } else { 0.0 };
             let determinant = matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0];
             let both = [
