@@ -1,18 +1,17 @@
 //! All tables and objects that are written, each with its keys: what the pages in `docs/reference/outputs` are made of.
 
-use super::reference::Output;
-use super::{array, rate, records, seta, solid, states};
+use crate::writing::reference::Output;
+use crate::{pulls, records, states};
 
 /// Every table and every object.
 pub fn outputs() -> Vec<Output> {
-    [records::outputs(), states::outputs(), seta::outputs(), rate::outputs(), solid::outputs(), array::outputs()]
-        .concat()
+    [records::outputs(), states::outputs(), pulls::outputs()].concat()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::paths;
+    use crate::writing::reference::paths;
 
     #[test]
     fn every_key_is_described_once_and_in_words() {

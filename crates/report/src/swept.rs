@@ -1,8 +1,8 @@
 //! The rows of sweeps, and the keys that they vary.
-use super::timing::timed;
 use peelkit::model::PeelModel;
 use peelkit::study::{Peel, PeelResult};
 use peelkit_scene::Key;
+use std::time::Instant;
 
 /// The key that a sweep varies, or the two keys of a plane.
 #[derive(Clone, Copy, Debug)]
@@ -98,4 +98,13 @@ impl<F> PullRow<F> {
     pub(crate) fn of<T>(&self, of: impl FnOnce(&F) -> Option<T>) -> Option<T> {
         self.found.as_ref().ok().and_then(of)
     }
+}
+
+// -- How long a computation takes --
+
+/// What a computation gives, and the seconds of wall clock that it took.
+pub fn timed<T>(computation: impl FnOnce() -> T) -> (T, f64) {
+    let started = Instant::now();
+    let found = computation();
+    (found, started.elapsed().as_secs_f64())
 }

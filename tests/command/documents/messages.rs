@@ -134,7 +134,7 @@ fn every_warning_and_every_end_is_explained() {
             .collect()
     };
     let warnings = quoted("src/study/terms/warnings.rs", "=> \"");
-    let ends = quoted("crates/report/src/names.rs", "=> \"");
+    let ends = quoted("crates/report/src/writing/names.rs", "=> \"");
     assert!(warnings.len() >= 7 && ends.len() >= 11, "{warnings:?} {ends:?}");
     let (trouble, concepts) = (chapter_on_trouble(), text("docs/reference/concepts.md"));
     let missing = warnings.iter().filter(|code| !trouble.contains(&format!("`{code}`")));

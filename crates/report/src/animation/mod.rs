@@ -6,9 +6,9 @@ mod page;
 pub(crate) mod panel;
 pub(crate) mod player;
 
-use super::error::ReportError;
-use super::file::write_whole;
-use super::pictures::peel::captioned;
+use crate::pictures::peel::captioned;
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
 use peelkit::study::Peel;
 use std::path::{Path, PathBuf};
 

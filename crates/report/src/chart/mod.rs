@@ -5,6 +5,7 @@ pub(crate) mod axis;
 pub(crate) mod canvas;
 mod drawn;
 mod font;
+pub(crate) mod marked;
 pub(crate) mod output;
 pub(crate) mod panel;
 pub(crate) mod picture;

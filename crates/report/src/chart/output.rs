@@ -2,8 +2,8 @@
 
 use super::font;
 use super::picture::Picture;
-use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
 use resvg::{tiny_skia, usvg};
 use std::path::{Path, PathBuf};
 

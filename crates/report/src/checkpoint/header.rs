@@ -1,8 +1,8 @@
 //! What a checkpoint is of: the first of its frames. It is compared byte by byte, and where it is another one the first difference is told.
 
-use crate::error::ReportError;
-use crate::record::Object;
 use crate::records::summary::{VERSION, parameters};
+use crate::writing::error::ReportError;
+use crate::writing::record::Object;
 use peelkit_scene::Scene;
 use serde::Serialize;
 use serde_json::Value;

@@ -3,10 +3,10 @@
 
 use super::frames::{Scan, framed};
 use super::header::older_version;
-use super::journal::OLDER_ENDING;
-use crate::error::ReportError;
-use crate::file::{remove, write_whole};
+use super::kind::OLDER_ENDING;
 use crate::swept::SweepRow;
+use crate::writing::error::ReportError;
+use crate::writing::file::{remove, write_whole};
 use peelkit::study::PeelResult;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;

@@ -1,7 +1,7 @@
 //! The columns of a CSV: its header, and the texts of its cells.
 
-use super::OverlayError;
-use crate::file::read_whole;
+use super::error::OverlayError;
+use crate::writing::file::read_whole;
 use std::path::Path;
 
 /// A CSV with a header.

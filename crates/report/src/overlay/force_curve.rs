@@ -1,8 +1,8 @@
 //! A measured force-displacement curve with its standard errors, or steady forces against a key of the scene: columns of a CSV as a testing machine
 //! writes it.
 
-use super::OverlayError;
 use super::columns::Columns;
+use super::error::OverlayError;
 use super::measured::{factor, without_unit};
 use peelkit::study::MeasuredPoint;
 use peelkit_scene::{Dimension, FitColumns, KEYS, Key};

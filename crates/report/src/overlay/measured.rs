@@ -1,7 +1,7 @@
 //! Measured points: two columns of a CSV, whose header has names and units.
 
-use super::OverlayError;
 use super::columns::Columns;
+use super::error::OverlayError;
 use super::result::Kind;
 use peelkit_scene::{Dimension, Key, parse_quantity};
 use std::path::Path;

@@ -1,32 +1,14 @@
 //! Several results in one picture, with measured points over them.
 
 mod columns;
+mod error;
 mod force_curve;
 mod measured;
 mod picture;
 mod result;
 
+pub use error::OverlayError;
 pub use force_curve::{ForceRecord, read_force_curve};
 pub use measured::Measured;
 pub use picture::draw_overlay;
 pub use result::{Kind, ResultFile};
-
-use std::path::PathBuf;
-
-/// A file that cannot be drawn.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{} {found}", path.display())]
-pub struct OverlayError {
-    /// The file or folder
-    pub path: PathBuf,
-    /// What is wrong with it: completes its path to a sentence
-    pub found: String,
-    /// What would be right: a sentence of its own
-    pub remedy: String,
-}
-
-impl OverlayError {
-    fn new(path: impl Into<PathBuf>, found: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { path: path.into(), found: found.into(), remedy: remedy.into() }
-    }
-}

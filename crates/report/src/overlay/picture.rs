@@ -11,7 +11,7 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use std::path::{Path, PathBuf};
 
 const HEIGHT: u32 = 470;

@@ -1,7 +1,7 @@
 //! A result of an earlier command, read from its table.
 
-use super::OverlayError;
 use super::columns::Columns;
+use super::error::OverlayError;
 use crate::swept;
 use peelkit_scene::{KEYS, Key};
 use std::path::{Path, PathBuf};

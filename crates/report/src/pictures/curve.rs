@@ -10,7 +10,7 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
-use crate::names::first_jump_word;
+use crate::writing::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
 use peelkit::units::FORCES;
 

@@ -8,7 +8,7 @@ use crate::chart::panel::Line;
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
 use std::path::{Path, PathBuf};
 

@@ -1,20 +1,15 @@
 //! Pictures of what a command found, as SVG and PNG, and the pieces of them that other pictures use.
 
-mod contour;
 mod curve;
 pub(crate) mod fit;
 pub(crate) mod followed;
-mod in_space;
-pub(crate) mod marked;
 pub(crate) mod observed;
 pub(crate) mod optimisation;
 pub mod peel;
 pub(crate) mod plane;
-mod projection;
 pub(crate) mod sensitivities;
 mod shapes;
 pub mod sweep;
-pub(crate) mod swept_pulls;
 pub(crate) mod tip;
 pub(crate) mod uncertainty;
 

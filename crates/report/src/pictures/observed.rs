@@ -1,17 +1,17 @@
 //! The picture of a test: force against the machine's displacement, there and back.
 
-use super::marked::mark_found;
 use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
+use crate::chart::marked::mark_found;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Note, Panel};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
-use crate::error::ReportError;
-use crate::names::jump_title;
 use crate::records::passed::PassedAt;
+use crate::writing::error::ReportError;
+use crate::writing::names::jump_title;
 use peelkit::study::{LoadingDirection, Observed};
 use peelkit::units::WORKS;
 use std::path::{Path, PathBuf};

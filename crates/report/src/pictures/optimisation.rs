@@ -8,7 +8,7 @@ use crate::chart::panel::{Line, Panel};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use peelkit::model::PeelModel;
 use peelkit::study::Peel;
 use peelkit::study::optimisation::{DesignFound, DesignProblem, Objective, Optimum, ProfileColumn};

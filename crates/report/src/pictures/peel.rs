@@ -1,13 +1,13 @@
 //! The pictures of one peel: force against displacement, and the deformed strip at numbered points of that curve.
 
 use super::curve::{add_branch, curve_picture, limit_at, mark_loss, nearest_to};
-use super::in_space;
-use super::marked::{Marked, mark_found};
-use super::shapes::{Posed, shapes_picture};
+use super::shapes::posed::{Posed, shapes_picture};
+use crate::chart::marked::{Marked, mark_found};
 use crate::chart::output::save;
 use crate::chart::picture::Picture;
-use crate::error::ReportError;
-use crate::names::end_reason;
+use crate::pictures::shapes::in_space;
+use crate::writing::error::ReportError;
+use crate::writing::names::end_reason;
 use peelkit::study::{
     DeformedShape, LimitPoint, LimitPointKind, OutOfPlane, OutOfPlaneBranch, PathEnd, Peel, WarningKind,
 };

@@ -1,6 +1,5 @@
 //! The picture of a sweep over two keys: maps of the peak force and of the work to snap-off over the plane of both, with contours.
 
-use super::contour::{Node, crossing};
 use crate::chart::RGBColor;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
@@ -10,9 +9,9 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
-use crate::error::ReportError;
 use crate::swept::SweepRow;
 use crate::swept::{SweptKeys, as_given};
+use crate::writing::error::ReportError;
 use std::path::{Path, PathBuf};
 
 /// Shades of the colour bar.
@@ -256,6 +255,34 @@ fn shade(place: f64) -> RGBColor {
     order_shade((place.clamp(0.0, 1.0) * (SHADES - 1) as f64).round() as usize, SHADES)
 }
 
+// -- A piece of a contour: where a function that is linear on a triangle is zero --
+
+/// A corner: where it is, and how far the function is above the level of the contour there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Node {
+    place: [f64; 2],
+    above: f64,
+}
+
+impl Node {
+    /// The middle of four corners.
+    fn mean(corners: [Self; 4]) -> Self {
+        let mean = |of: fn(&Self) -> f64| 0.25 * corners.iter().map(of).sum::<f64>();
+        Self { place: [mean(|node| node.place[0]), mean(|node| node.place[1])], above: mean(|node| node.above) }
+    }
+}
+
+/// The two ends of the piece in a triangle, if the contour goes through it.
+fn crossing(corners: [Node; 3]) -> Option<[[f64; 2]; 2]> {
+    let sides = [(0, 1), (1, 2), (2, 0)].into_iter().filter_map(|(p, q)| {
+        let (a, b) = (corners[p], corners[q]);
+        let t = a.above / (a.above - b.above);
+        let between = |k: usize| a.place[k] + t * (b.place[k] - a.place[k]);
+        ((a.above < 0.0) != (b.above < 0.0)).then(|| [between(0), between(1)])
+    });
+    <[[f64; 2]; 2]>::try_from(sides.collect::<Vec<_>>()).ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -268,5 +295,13 @@ mod tests {
         let log = Grid::new("x".into(), vec![1.0, 100.0], true);
         assert!((log.axis.from - 1.0).abs() < 1e-12 && (log.at(log.edges[1]) - 10.0).abs() < 1e-9);
         assert!(Grid::new("x".into(), vec![3.0], false).axis.from < 3.0);
+    }
+
+    #[test]
+    fn a_triangle_is_crossed_where_the_value_is_zero() {
+        let corners = [([0.0, 0.0], -1.0), ([1.0, 0.0], 1.0), ([0.0, 1.0], 3.0)];
+        let corners = corners.map(|(place, above)| Node { place, above });
+        assert_eq!(crossing(corners), Some([[0.5, 0.0], [0.0, 0.25]]));
+        assert_eq!(crossing(corners.map(|node| Node { above: node.above + 2.0, ..node })), None);
     }
 }

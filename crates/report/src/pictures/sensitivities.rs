@@ -7,7 +7,7 @@ use crate::chart::panel::{Line, Panel, Shape};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use peelkit::study::{Exponent, PeelQuantity};
 use std::path::{Path, PathBuf};
 

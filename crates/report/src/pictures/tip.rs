@@ -8,7 +8,7 @@ use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, order_shade};
 use crate::chart::symbol::Symbol;
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use peelkit::study::coarsening::{PadEnd, Sheet, TipPlace, TipSheet, TipTable};
 use std::path::{Path, PathBuf};
 

@@ -8,7 +8,7 @@ use crate::chart::panel::{Band, Line, Panel, Shape};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
-use crate::error::ReportError;
+use crate::writing::error::ReportError;
 use peelkit::study::uncertainty::{ALONE_AT, Analysis, NumberAnalysis, Order, Statistics};
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,8 @@
 //! What was located on a path, as objects of summary.json.
 
 use super::path::grip;
-use crate::names::limit_point_kind_word;
-use crate::record::{Fields, Record};
+use crate::writing::names::limit_point_kind_word;
+use crate::writing::record::{Fields, Record};
 use peelkit::model::SpatialGrip;
 use peelkit::study::{
     BranchPoint, EventAt, Events, LargestComputedForce, LimitPoint, MissedStation, OutOfPlaneLoss, Peak, Plateau,

@@ -1,7 +1,7 @@
 //! What is said of a model and of its terms, as objects of summary.json.
 
 use super::located::finite;
-use crate::record::{Fields, Record};
+use crate::writing::record::{Fields, Record};
 use peelkit::model::{DerivedOfSection, DerivedQuantities, DimensionlessGroups};
 use peelkit::study::{
     Contact, KeptReason, LeftOut, SMALLEST_RADIUS, Sliding, Term, TermDecisions, TermEffect, Warning,

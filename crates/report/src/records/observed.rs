@@ -2,11 +2,11 @@
 
 use super::located::finite;
 use super::passed::PassedAt;
-use crate::error::ReportError;
-use crate::names::{jump_word, test_end_reason, test_end_word};
-use crate::record::write_table;
-use crate::record::{Bounded, Fields, Record};
-use crate::reference::Output;
+use crate::writing::error::ReportError;
+use crate::writing::names::{jump_word, test_end_reason, test_end_word};
+use crate::writing::record::write_table;
+use crate::writing::record::{Bounded, Fields, Record};
+use crate::writing::reference::Output;
 use peelkit::study::{Balance, Jump, JumpEnd, Observed, PullOff, TestPoint, UnknownJumpError};
 use peelkit_scene::Scene;
 use std::path::{Path, PathBuf};

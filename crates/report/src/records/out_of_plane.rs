@@ -1,8 +1,8 @@
 //! The stability of a path against leaving its plane, and the branch that leaves it, as objects of summary.json.
 
 use super::located::Place;
-use crate::names::{end_reason, end_word};
-use crate::record::{Fields, Record};
+use crate::writing::names::{end_reason, end_word};
+use crate::writing::record::{Fields, Record};
 use peelkit::study::{OutOfPlane, OutOfPlaneBranch, OutOfPlaneLoss, PathPoint};
 
 /// What `--out-of-plane` and `--branch` add.

@@ -1,11 +1,11 @@
 //! Stations and events of the user beside a path: in a displacement-controlled test, in the pull-off of a seta, and in a pull at a rate.
 
-use crate::error::ReportError;
-use crate::number::S_PER_NS;
-use crate::pictures::marked::Marked;
-use crate::rate::pulled::{Contact, PulledAtRate};
-use crate::record::{Fields, Record, write_table};
-use crate::reference::Output;
+use crate::chart::marked::Marked;
+use crate::records::pulled::{Contact, PulledAtRate};
+use crate::writing::error::ReportError;
+use crate::writing::number::S_PER_NS;
+use crate::writing::record::{Fields, Record, write_table};
+use crate::writing::reference::Output;
 use peelkit::study::{EventAt, Observed, SetaPullOff};
 use std::path::{Path, PathBuf};
 
@@ -108,7 +108,7 @@ impl PassedAt {
 
     /// Those of a pull at a rate in which these were looked for.
     pub fn of_rate(pulled: &PulledAtRate, looked_for: &[EventAt]) -> Vec<Self> {
-        let of = |station: &crate::rate::pulled::StationAtRate| {
+        let of = |station: &crate::records::pulled::StationAtRate| {
             let point = &station.point;
             let front = if let Contact::Front(front) = point.contact { Some(front) } else { None };
             Self {

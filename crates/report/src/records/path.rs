@@ -1,10 +1,10 @@
 //! The tables of a path: curve.csv, branch.csv, equilibria.csv and limit_points.csv. Units stand in the names of the columns.
 
-use crate::error::ReportError;
-use crate::names::limit_point_kind_word;
-use crate::record::{Fields, Record};
-use crate::record::{table, write_text};
-use crate::reference::Output;
+use crate::writing::error::ReportError;
+use crate::writing::names::limit_point_kind_word;
+use crate::writing::record::{Fields, Record};
+use crate::writing::record::{table, write_text};
+use crate::writing::reference::Output;
 use peelkit::model::SpatialGrip;
 use peelkit::study::{EventAt, Events, LimitPoint, OutOfPlane, OutOfPlaneBranch, PathPoint, Peel, Station, Stations};
 use std::io;

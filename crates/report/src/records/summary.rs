@@ -1,8 +1,8 @@
 //! What was found as one JSON object, summary.json, which is also what `--json` prints: where it comes from, what was found, and of what scene.
 
-use crate::error::ReportError;
-use crate::file::write_whole;
-use crate::record::{Cell, Content, Fields, Object, Record};
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
+use crate::writing::record::{Cell, Content, Fields, Object, Record};
 use peelkit_scene::{KEYS, Key, Kind, Scene, Value};
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;

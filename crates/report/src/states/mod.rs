@@ -6,7 +6,7 @@ pub(crate) mod surface;
 pub(crate) mod table;
 pub(crate) mod vtk;
 
-use super::reference::Output;
+use crate::writing::reference::Output;
 
 /// What is written of the states of a beam.
 pub(crate) fn outputs() -> Vec<Output> {

@@ -1,11 +1,11 @@
 //! states.csv: one row for each place of the beam at each state.
 
 use super::fields::{SPATIAL_STATE_FIELDS, STATE_FIELDS, StateField};
-use crate::error::ReportError;
-use crate::file::write_whole;
-use crate::names::limit_point_kind_word;
-use crate::record::{Cell, Fields, Record, columns};
-use crate::reference::{Output, OutputKey};
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
+use crate::writing::names::limit_point_kind_word;
+use crate::writing::record::{Cell, Fields, Record, columns};
+use crate::writing::reference::{Output, OutputKey};
 use peelkit::study::{BeamState, StateSections};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};

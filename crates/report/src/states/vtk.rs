@@ -4,8 +4,8 @@
 use super::fields::{SPATIAL_STATE_FIELDS, STATE_FIELDS, VECTORS};
 use super::grid::{Grid, PointData, collection};
 use super::surface;
-use crate::error::ReportError;
-use crate::file::write_whole;
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
 use peelkit::study::{BeamState, SectionFields, SpatialSectionFields, StateSections};
 use std::path::{Path, PathBuf};
 

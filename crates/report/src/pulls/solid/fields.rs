@@ -1,0 +1,82 @@
+//! The strip at chosen points of its path, as a grid that ParaView opens: the places of the material with displacement and stress.
+
+use crate::states::grid::{Grid, PointData, collection};
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
+use peelkit::study::{SolidPeel, SolidPoint};
+use std::path::{Path, PathBuf};
+
+/// Each element is drawn in so many parts along it: its contact edge is curved.
+const PARTS: usize = 3;
+
+/// S and heights at which fields are shown: all lines of the mesh, and between those across the strip some more.
+pub(super) fn shown(peel: &SolidPeel) -> [Vec<f64>; 2] {
+    let (across, along) = peel.strip.mesh_lines();
+    let part = |pair: &[f64], k: usize| pair[0] + (pair[1] - pair[0]) * k as f64 / PARTS as f64;
+    let places = across.windows(2).flat_map(|pair| (0..PARTS).map(move |k| part(pair, k)));
+    [places.chain(across.last().copied()).collect(), along.to_vec()]
+}
+
+/// Where a point of the material is, x and y over the ground, nm.
+pub(super) fn place(peel: &SolidPeel, at: &SolidPoint, rest_gap: f64, [s, height]: [f64; 2]) -> [f64; 2] {
+    let [x, y] = peel.strip.displacement_at(at.values(), s, height);
+    [s + x, rest_gap + height + y]
+}
+
+/// Writes solid.pvd, the list of the states, and states/solid-000.vtu and so on, which it names: at so many points evenly along the path, with
+/// displacement and Cauchy's stress as point data, u and P as field data.
+///
+/// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
+pub fn write_solid_states(
+    dir: &Path,
+    peel: &SolidPeel,
+    rest_gap: f64,
+    count: usize,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let name = |number: usize| format!("states/solid-{number:03}.vtu");
+    let last = peel.points.len().saturating_sub(1);
+    let mut chosen: Vec<usize> = (0..count).map(|k| k * last / count.saturating_sub(1).max(1)).collect();
+    chosen.extend(peel.initiation_peak().map(|peak| peak.after));
+    chosen.sort_unstable();
+    chosen.dedup();
+    let list = dir.join("solid.pvd");
+    write_whole(&list, collection((0..chosen.len()).map(name)).as_bytes())?;
+    let mut files = vec![list];
+    for (number, &index) in chosen.iter().enumerate() {
+        let Some(at) = peel.points.get(index) else { continue };
+        let path = dir.join(name(number));
+        let of_state = [("displacement_nm", at.displacement), ("force_nN", at.force), ("path_position", index as f64)];
+        let text = grid(peel, at, rest_gap).of_state(&of_state);
+        let text = text.map_err(|source| ReportError::Write { path: path.clone(), source })?;
+        write_whole(&path, text.as_bytes())?;
+        files.push(path);
+    }
+    Ok(files)
+}
+
+fn grid(peel: &SolidPeel, at: &SolidPoint, rest_gap: f64) -> Grid {
+    let [places, heights] = shown(peel);
+    let all: Vec<[f64; 2]> = places.iter().flat_map(|&s| heights.iter().map(move |&height| [s, height])).collect();
+    let rows = heights.len();
+    let corner = |column: usize, row: usize| column * rows + row;
+    let cells = (1..places.len()).flat_map(|column| {
+        (1..rows).map(move |row| {
+            vec![corner(column - 1, row - 1), corner(column, row - 1), corner(column, row), corner(column - 1, row)]
+        })
+    });
+    let moved = |&[s, height]: &[f64; 2]| {
+        let [x, y] = peel.strip.displacement_at(at.values(), s, height);
+        [x, y, 0.0]
+    };
+    let stresses: Vec<[f64; 3]> = all.iter().map(|&[s, height]| peel.strip.stress_at(at.values(), s, height)).collect();
+    let stress = |name, component: usize| PointData {
+        name,
+        components: 1,
+        values: stresses.iter().map(|stress| stress[component]).collect(),
+    };
+    let points = all.iter().map(|&of| place(peel, at, rest_gap, of)).map(|[x, y]| [x, y, 0.0]).collect();
+    let displacement =
+        PointData { name: "displacement_nm", components: 3, values: all.iter().flat_map(moved).collect() };
+    let data = vec![displacement, stress("stress_xx_GPa", 0), stress("stress_yy_GPa", 1), stress("stress_xy_GPa", 2)];
+    Grid { points, cells: cells.collect(), data }
+}

@@ -1,0 +1,130 @@
+//! The pictures of the peel of a solid: force against displacement, and the strip at two points of its path, with its stress as colour and the
+//! traction of the ground below it.
+
+use super::fields::{place, shown};
+use crate::chart::axis::{Axis, significant};
+use crate::chart::canvas::Stroke;
+use crate::chart::output::save;
+use crate::chart::panel::{Line, Mark, Panel, Shape};
+use crate::chart::picture::Picture;
+use crate::chart::place::Frame;
+use crate::chart::style::{colour, signed_shade};
+use crate::writing::error::ReportError;
+use peelkit::adhesion::HalfSpace;
+use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint};
+use std::path::{Path, PathBuf};
+
+/// What is shown of the strip, over its height.
+const WINDOW: f64 = 4.0;
+/// Height of the panel of the strip over its width: lengths are alike along both axes.
+const ASPECT: f64 = 0.55;
+/// Height of the panel of the traction, and what is between, pixels.
+const TRACTION: f64 = 130.0;
+const BETWEEN: f64 = 40.0;
+
+/// Draws `curve` and `solid` into `dir`, as SVG and PNG; the latter of the strip by its ground.
+///
+/// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
+pub fn draw_solid(dir: &Path, peel: &SolidPeel, ground: &HalfSpace, title: &str) -> Result<Vec<PathBuf>, ReportError> {
+    if peel.points.len() < 2 {
+        let reason = format!("the path has {} points", peel.points.len());
+        return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
+    }
+    let mut files = save(&curve(peel, title), dir, "curve")?;
+    files.extend(save(&strip(peel, ground, title), dir, "solid")?);
+    Ok(files)
+}
+
+fn curve(peel: &SolidPeel, title: &str) -> Picture {
+    let points: Vec<(f64, f64)> = peel.points.iter().map(|at| (at.displacement, at.force)).collect();
+    let x = Axis::around("displacement u (nm)", points.iter().map(|at| at.0).chain([0.0]), false);
+    let y = Axis::around("force P (nN)", points.iter().map(|at| at.1).chain([0.0]), false);
+    let line = Line::plain(points, Stroke::solid(colour::BLUE, 1.6));
+    let mut panel = Panel::of_lines(Frame::across(), x, y, vec![line]);
+    let mark = |at: &SolidLimitPoint, what: &str| {
+        let error = at.errors.map_or(String::new(), |errors| format!(" ± {}", significant(errors.force, 2)));
+        let text = format!("{} nN{error}", significant(at.force, 4));
+        Mark::labelled((at.displacement, at.force), colour::INK, &[what, &text])
+    };
+    panel.marks.extend(peel.peak().map(|at| mark(at, "peak")));
+    panel.marks.extend(peel.snap_off().map(|at| mark(at, "first jump")));
+    Picture::of(title, vec![panel])
+}
+
+/// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
+fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
+    let peak = peel.initiation_peak().and_then(|at| peel.points.get(at.after));
+    let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
+    let last = peel.points.last();
+    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the first peak", Some(peak)));
+    let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));
+    let mut chosen: Vec<_> = [first, second].into_iter().filter_map(|(what, at)| Some((what, at?))).collect();
+    chosen.dedup_by(|a, b| std::ptr::eq(a.1, b.1));
+    chosen
+}
+
+fn strip(peel: &SolidPeel, ground: &HalfSpace, title: &str) -> Picture {
+    let [places, heights] = shown(peel);
+    let [length, height] = [&places, &heights].map(|lines| lines.last().copied().unwrap_or(1.0));
+    let chosen = chosen(peel, length);
+    let mut panels = Vec::new();
+    for (column, (what, at)) in chosen.iter().enumerate() {
+        let of_column = Frame::column(column, 2);
+        let frame =
+            Frame { top: of_column.top + 18.0, bottom: of_column.top + 18.0 + ASPECT * of_column.width(), ..of_column };
+        let below = Frame { top: frame.bottom + BETWEEN, bottom: frame.bottom + BETWEEN + TRACTION, ..of_column };
+        panels.extend(state(peel, ground, (what, at), [&places, &heights], [frame, below], WINDOW * height));
+    }
+    Picture::of(title, panels)
+}
+
+/// The strip at one point, in a window of this width, and the traction below it.
+fn state(
+    peel: &SolidPeel,
+    ground: &HalfSpace,
+    (what, at): (&str, &SolidPoint),
+    [places, heights]: [&[f64]; 2],
+    [frame, below]: [Frame; 2],
+    width: f64,
+) -> [Panel; 2] {
+    let gap = ground.equilibrium_gap();
+    let of = |s: f64, height: f64| place(peel, at, gap, [s, height]).into();
+    let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, 0.0)).collect();
+    let traction: Vec<(f64, f64)> = face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(y))).collect();
+    // downwards on the strip: where the ground holds it most
+    let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
+    let right = face.last().map_or(width, |last| last.0);
+    let from = (strongest - 0.5 * width).min(right - 0.9 * width);
+    let [x, y] = [Axis::linear("", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
+    let mut shapes = Vec::new();
+    let mut largest: f64 = 0.0;
+    for pair in places.windows(2) {
+        for row in heights.windows(2) {
+            let stress = peel.strip.stress_at(at.values(), 0.5 * (pair[0] + pair[1]), 0.5 * (row[0] + row[1]))[1];
+            let corners = vec![of(pair[0], row[0]), of(pair[1], row[0]), of(pair[1], row[1]), of(pair[0], row[1])];
+            if corners.iter().all(|&(x, _): &(f64, f64)| x >= from && x <= from + width) {
+                largest = largest.max(stress.abs());
+                shapes.push((corners, stress));
+            }
+        }
+    }
+    let shapes = shapes.into_iter().map(|(corners, stress)| Shape {
+        corners,
+        colour: signed_shade(stress / largest.max(f64::MIN_POSITIVE)),
+        opacity: 1.0,
+    });
+    let mut body = Panel::new(frame, x, y);
+    body.shapes = shapes.collect();
+    body.title = format!("{what}: u = {} nm; σyy ±{} GPa", significant(at.displacement, 3), significant(largest, 2));
+    let (across, along) = peel.strip.mesh_lines();
+    let thin = || Stroke::solid(colour::GREY, 0.5);
+    let lines_across = across.iter().map(|&s| heights.iter().map(|&height| of(s, height)).collect());
+    let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).collect());
+    body.lines = lines_across.chain(lines_along).map(|points| Line::plain(points, thin())).collect();
+    body.lines.push(Line::plain(vec![(from, 0.0), (from + width, 0.0)], Stroke::solid(colour::INK, 2.0)));
+    let shown = traction.iter().filter(|at| at.0 >= from && at.0 <= from + width).map(|at| at.1);
+    let y = Axis::around("T (MPa)", shown.chain([0.0]), false);
+    let line = Line::plain(traction, Stroke::solid(colour::VERMILLION, 1.6));
+    let force = Panel::of_lines(below, Axis::linear("x (nm)", from, from + width), y, vec![line]);
+    [body, force]
+}
