@@ -2,38 +2,17 @@
 
 #![forbid(unsafe_code)]
 
-mod accuracy;
-mod coarsen;
-mod collect;
-mod command_line;
-mod drive;
-mod figures;
-mod fit;
-mod folder_name;
-mod hard_scenes;
-mod help;
-mod input;
-mod interrupt;
-mod keys;
-mod new;
-mod optimise;
-mod output;
-mod plot;
-mod progress;
-mod run;
-mod run_progress;
-mod schema;
-mod serve;
-mod shell;
-mod stop;
-mod sweep;
+mod studies;
+mod terminal;
 mod text_summary;
-mod uncertainty;
-mod verify;
+mod tools;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::io::IsTerminal;
 use std::process::ExitCode;
+use studies::{accuracy, coarsen, collect, fit, optimise, run, sweep, uncertainty};
+use terminal::help;
+use tools::{figures, keys, new, plot, schema, serve, shell, verify};
 
 /// Computes how thin adhesive beams peel from a surface.
 #[derive(Parser)]

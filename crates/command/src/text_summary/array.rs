@@ -1,6 +1,6 @@
 //! The summary of the pull of an array of setae.
 
-use super::layout::in_columns;
+use super::number::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::toe::ArrayPull;
 use peelkit_report::array_end_word;

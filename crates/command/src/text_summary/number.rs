@@ -1,4 +1,6 @@
-//! Numbers with their units, as a person reads them.
+//! Numbers with their units, and lines in two columns, as a person reads them.
+
+use std::fmt::Write;
 
 /// " nm", or nothing where there is no unit.
 pub fn spaced(unit: &str) -> String {
@@ -28,6 +30,15 @@ pub(super) fn short(value: f64) -> String {
     } else {
         format!("{value:.5e}")
     }
+}
+
+/// A title and the lines below it. A line without a name goes on with the one before.
+pub(super) fn in_columns(title: &str, lines: &[(&str, String)]) -> String {
+    let mut text = format!("{title}\n\n");
+    for (name, value) in lines {
+        let _ = writeln!(text, "  {name:<18} {value}");
+    }
+    text
 }
 
 #[cfg(test)]

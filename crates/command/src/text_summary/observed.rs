@@ -1,7 +1,7 @@
 //! The summary of a displacement-controlled test.
 
 use super::found::passed_lines;
-use super::layout::in_columns;
+use super::number::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::study::{EventAt, Observed, PullOff, TestEnd};
 use peelkit_report::{PassedAt, jump_title, test_end_reason, test_end_word};

@@ -1,7 +1,7 @@
 //! The summary of one peel.
 
 use super::found::{looked_for_text, value_text};
-use super::layout::in_columns;
+use super::number::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
 use super::units::{Units, WantedUnits, fitting_text};

@@ -1,7 +1,7 @@
 //! The summary of a pull at a rate.
 
 use super::found::passed_lines;
-use super::layout::in_columns;
+use super::number::in_columns;
 use super::units::{Units, WantedUnits};
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTimeEvent, TipLoss};

@@ -1,7 +1,7 @@
 //! The summary of the pull-off of a seta.
 
 use super::found::passed_lines;
-use super::layout::in_columns;
+use super::number::in_columns;
 use super::number::short;
 use super::units::{Unit, Units, WantedUnits};
 use peelkit::model::{PullCurve, SetaModel};

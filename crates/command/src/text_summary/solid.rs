@@ -1,8 +1,8 @@
 //! The summary of the peel of a solid, and a sweep of such peels as a table.
 
-use super::layout::in_columns;
-use super::sweep::{headed, largest, listed, none, pair, title, values};
+use super::number::in_columns;
 use super::units::{Unit, Units, WantedUnits};
+use crate::text_summary::of_many::sweep::{headed, largest, listed, none, pair, title, values};
 use peelkit::model::LongElements;
 use peelkit::study::{LimitPointKind, SolidLimitPoint, SolidPeel};
 use peelkit_report::{SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_warnings};

@@ -2,7 +2,7 @@
 //! that stand in the names of their columns and keys.
 
 use super::number::{short, with_error};
-use crate::stop::Stop;
+use crate::terminal::stop::Stop;
 use clap::Args;
 use peelkit::units::{self, FORCES, LENGTHS, WORKS};
 

@@ -1,0 +1,68 @@
+//! `peel serve`: a page on the user's own machine.
+
+mod help;
+
+use crate::terminal::input::{parse_override, read_any_scene};
+use crate::terminal::interrupt::Interrupt;
+use crate::terminal::output::say;
+use crate::terminal::stop::Stop;
+use clap::Args;
+use peelkit_serve::{Limits, Server, StartScene};
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+use std::path::{Path, PathBuf};
+
+/// Serves a page with sliders: the peel is computed again while one drags
+#[derive(Args)]
+#[command(after_help = help::SHORT, after_long_help = help::long())]
+pub struct Serve {
+    /// The scene that the page begins with: a TOML file
+    #[arg(value_name = "SCENE")]
+    scene: Option<PathBuf>,
+
+    /// Sets a key of the scene: strip.length="50 nm"; may be repeated
+    #[arg(long = "set", value_name = "KEY=VALUE", value_parser = parse_override, requires = "scene")]
+    overrides: Vec<(String, String)>,
+
+    /// Port of the page; 0 is one that is free
+    #[arg(long, value_name = "PORT", default_value_t = 7878)]
+    port: u16,
+
+    /// Address to listen at; any other is open to others
+    #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
+    address: IpAddr,
+}
+
+pub fn serve(args: &Serve) -> Result<(), Stop> {
+    let own = args.scene.as_deref().map(|path| own_scene(path, &args.overrides)).transpose()?;
+    let server = Server::bind(args.address, args.port, own, Limits::default()).map_err(|error| {
+        Stop::bad_input(
+            format!("the page cannot listen at {}, port {}: {error}", args.address, args.port),
+            "Give another port with --port, or --port 0 for one that is free.",
+        )
+    })?;
+    let stopper = server.stopper();
+    let _interrupt = Interrupt::listen(move || stopper.stop());
+    say(&format!("{}Ctrl-C ends it.\n", whereabouts(server.address())))?;
+    server.run().map_err(|error| Stop::other(format!("the page ended: {error}")))
+}
+
+/// Where the page is, and who can reach it.
+fn whereabouts(address: SocketAddr) -> String {
+    const OPEN: &str = "Warning: whoever reaches this address can let this machine compute; there is no password.\n";
+    let ip = address.ip();
+    if ip.is_loopback() {
+        return format!("The page is at http://{address}/\n");
+    }
+    if ip.is_unspecified() {
+        let port = address.port();
+        return format!(
+            "The page is at http://localhost:{port}/, and at every address of this machine in numbers, port {port}\n{OPEN}"
+        );
+    }
+    format!("The page is at http://{address}/\n{OPEN}")
+}
+
+/// The scene of the user, its tables in its text.
+fn own_scene(path: &Path, overrides: &[(String, String)]) -> Result<StartScene, Stop> {
+    Ok(StartScene::of(&read_any_scene(path, overrides)?))
+}
