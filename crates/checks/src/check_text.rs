@@ -1,6 +1,6 @@
 //! The verification suite as a user reads it: one line a check, or one JSON object.
 
-use super::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use peelkit_report::to_json;
 use serde::Serialize;
 

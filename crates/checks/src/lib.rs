@@ -4,6 +4,7 @@
 #![warn(missing_docs)]
 
 mod agreement;
+mod check;
 mod check_text;
 mod figures;
 pub mod sampled;

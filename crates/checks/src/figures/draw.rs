@@ -3,8 +3,7 @@
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
 use super::peeling::{
-    directions, friction, laws, out_of_plane, points, pull, rough, rough_spatula, spatula, spatula_directions,
-    stiffness, strip, work,
+    directions, friction, laws, out_of_plane, points, pull, rough, spatula, spatula_directions, stiffness, strip, work,
 };
 use super::runner::Runner;
 use super::solid;
@@ -33,8 +32,8 @@ const GROUPS: [Group; 16] = [
     Group { peels: strip::PEELS, draw: strip::figures },
     Group { peels: spatula::PEELS, draw: spatula::figures },
     Group { peels: solid::PEELS, draw: |runner, dir| one(solid::figure(runner, dir)) },
-    Group { peels: rough::PEELS, draw: |runner, dir| one(rough::figure(runner, dir)) },
-    Group { peels: rough_spatula::PEELS, draw: |runner, dir| one(rough_spatula::figure(runner, dir)) },
+    Group { peels: rough::strip::PEELS, draw: |runner, dir| one(rough::strip::figure(runner, dir)) },
+    Group { peels: rough::spatula::PEELS, draw: |runner, dir| one(rough::spatula::figure(runner, dir)) },
     Group { peels: pull::PEELS, draw: |runner, dir| one(pull::figure(runner, dir)) },
     Group { peels: friction::PEELS, draw: |runner, dir| one(friction::figure(runner, dir)) },
     Group { peels: laws::PEELS, draw: laws::figures },

@@ -1,9 +1,9 @@
 //! Strips and spatulae on ground that is not flat: where they lie without a force and their first largest force, against a strong
 //! form without finite elements.
 
-use super::bounds::last_digit;
-use super::check::{Check, Measure, Topic, missing};
 use super::reference::{Row, read};
+use crate::check::{Check, Measure, Topic, missing};
+use crate::suite::accuracy::bounds::last_digit;
 use peelkit::adhesion::{BodyShape, Round, Sinusoid, Substrate};
 use peelkit::model::{Body, Discretisation, Form, Ground, Hold, PeelModel, Spatula, Start, StripModel};
 use peelkit::solve::InitialState;

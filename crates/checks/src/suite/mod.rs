@@ -2,23 +2,19 @@
 //!
 //! One file or folder a topic. A topic computes its checks when it is run and knows nothing of the others.
 
+pub(crate) mod accuracy;
 pub(crate) mod beam;
-pub(crate) mod bounds;
-pub(crate) mod check;
-mod grip_in_space;
 mod ground;
 pub mod hard;
 mod levels;
-pub(crate) mod orders;
 mod published;
 pub mod reference;
 mod solid;
 mod space;
 mod spatula;
 mod strip;
-mod strip_variants;
 
-pub use check::{Check, Measure, Topic};
+pub use crate::check::{Check, Measure, Topic};
 
 /// Every topic, in the order in which they are reported.
 pub const TOPICS: &[Topic] = &[
@@ -27,14 +23,14 @@ pub const TOPICS: &[Topic] = &[
     levels::TOPIC,
     beam::TOPIC,
     spatula::TOPIC,
-    strip_variants::pull::TOPIC,
-    strip_variants::laws::TOPIC,
-    strip_variants::turns::FRICTION,
-    strip_variants::out_of_plane::TOPIC,
-    space::TOPIC,
-    grip_in_space::TOPIC,
+    strip::pull::TOPIC,
+    strip::laws::TOPIC,
+    strip::turns::FRICTION,
+    strip::out_of_plane::TOPIC,
+    space::strips::TOPIC,
+    space::grip::TOPIC,
     ground::TOPIC,
     solid::TOPIC,
-    orders::TOPIC,
-    bounds::TOPIC,
+    accuracy::orders::TOPIC,
+    accuracy::bounds::TOPIC,
 ];

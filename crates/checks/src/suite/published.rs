@@ -1,7 +1,7 @@
 //! Values printed in the paper, from their closed forms and by another road.
 
-use super::check::{Check, Measure, Topic};
 use super::reference::published;
+use crate::check::{Check, Measure, Topic};
 use peelkit::adhesion::HalfSpace;
 use peelkit::analytic::kendall_force;
 use peelkit::model::StripModel;

@@ -1,7 +1,7 @@
 //! A strip as a plane solid: first peaks against solid elements of another program, and what the reported bounds hold.
 
-use super::check::{Check, Measure, Topic};
 use super::reference;
+use crate::check::{Check, Measure, Topic};
 use peelkit::model::{PeelModel, SolidSettings, StripModel};
 use peelkit::solid::{Grading, Plane, SolidElement, SolidGrip};
 use peelkit::study::{SolidLimitPoint, SolidOptions, StopCriteria, peel_solid};

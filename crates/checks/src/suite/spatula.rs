@@ -1,9 +1,10 @@
 //! Beams of varying section and curved rest shape, against a collocation that uses no finite elements: spatulae, and beams that a
 //! table or a list of pieces gives.
 
-use super::check::{Check, Measure, Topic};
 use super::reference::Row;
-use super::{bounds, reference};
+use crate::check::{Check, Measure, Topic};
+use crate::suite::accuracy::bounds;
+use crate::suite::reference;
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Body, Grip, Hold, PeelModel, Piece, Profile, ProfileForm, ProfilePieces, Spatula, Transition};
 use peelkit::study::{Accuracy, Peel, StationAt, StationQuantity, StopCriteria, peel};

@@ -1,8 +1,8 @@
 //! What the verification suite measures of the program itself: orders of convergence, and error bounds against true errors.
 
 use crate::figures::figure::{Figure, Table};
-use crate::suite::bounds::{Judged, Survey, survey};
-use crate::suite::orders::{Convergence, Quantity, convergence};
+use crate::suite::accuracy::bounds::{Judged, Survey, survey};
+use crate::suite::accuracy::orders::{Convergence, Quantity, convergence};
 use peelkit_report::ReportError;
 use peelkit_report::chart::{
     Axis, Frame, Line, Mark, Note, Panel, Picture, Stroke, WIDTH, colour, order_shade, significant,

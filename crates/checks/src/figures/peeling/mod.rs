@@ -7,7 +7,6 @@ pub(super) mod out_of_plane;
 pub(super) mod points;
 pub(super) mod pull;
 pub(super) mod rough;
-pub(super) mod rough_spatula;
 pub(super) mod spatula;
 pub(super) mod spatula_directions;
 pub(super) mod stiffness;

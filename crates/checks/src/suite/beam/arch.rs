@@ -1,7 +1,7 @@
 //! Snap-through of circular arches on two hinges: every limit point, and points of the path in between.
 
 use super::rods::{DISPLACEMENT, LEFT_ROTATION, TOLERANCE, cantilever, problem};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference;
 use crate::suite::reference::Row;
 use peelkit::beam::{ReferenceCurve, TIP_ROTATION};

@@ -2,7 +2,7 @@
 //! rest, thick and thin.
 
 use super::rods::{DISPLACEMENT, FORCE, cantilever, tip, under_control};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference;
 use crate::suite::reference::Row;
 use peelkit::beam::ReferenceCurve;

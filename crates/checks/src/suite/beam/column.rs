@@ -1,7 +1,7 @@
 //! Columns under compression: their buckling loads, and the elastica beyond the first.
 
 use super::rods::{FORCE, LEFT_ROTATION, TOLERANCE, cantilever, problem, tip, under_control};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference;
 use peelkit::analytic::{buckling_load, propped_buckling_load};
 use peelkit::beam::{ReferenceCurve, Section};

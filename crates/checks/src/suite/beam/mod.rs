@@ -8,7 +8,7 @@ mod column;
 mod motion;
 pub(crate) mod rods;
 
-use super::check::{Check, Topic};
+use crate::check::{Check, Topic};
 
 pub(super) const TOPIC: Topic =
     Topic { name: "beam", about: "the beam without adhesion: bending, buckling, snap-through", checks };

@@ -1,7 +1,7 @@
 //! Rigid motions store no energy and change none.
 
 use super::rods::{cantilever, problem};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use peelkit::beam::{Configuration, PlanarBeam, ReferenceCurve};
 use peelkit::model::{BeamProblem, Drive, RodModel, Support};
 

@@ -2,7 +2,7 @@
 //! `force-only`; strips of `axis-gap`, which is independent of the rotation of the section, may go several ways at their end.
 
 use crate::agreement::{Reported, disagree};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::study::{Accuracy, PathEnd, Peel, peel};

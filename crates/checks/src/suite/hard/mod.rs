@@ -9,9 +9,10 @@ mod scene;
 
 pub use scene::{Ending, HardScene};
 
-use super::check::{Check, Measure, under};
 use super::reference::Row;
-use super::{bounds, reference};
+use crate::check::{Check, Measure, under};
+use crate::suite::accuracy::bounds;
+use crate::suite::reference;
 use peelkit::model::{Hold, PeelModel};
 use peelkit::study::{Peel, peel};
 use rayon::prelude::*;

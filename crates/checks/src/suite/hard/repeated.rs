@@ -5,7 +5,7 @@
 //! other steps, other meshes where a decision was close. Both runs' bounds together must cover it.
 
 use super::scene::HardScene;
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use peelkit::model::{Body, PeelModel};
 use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, PathEnd, Peel, peel};
 use peelkit_scene::BoundsTable;

@@ -1,6 +1,6 @@
 //! A level against the cells of a table.
 
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::Row;
 use peelkit::adhesion::{HalfSpace, Rule};
 use std::num::NonZeroUsize;

@@ -1,7 +1,7 @@
 //! Sphere and cylinder in the place of the half space, and what the half space costs.
 
 use super::cells::{LAW, against, cell};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{BodyShape, CurvedBody};
 

@@ -1,7 +1,7 @@
 //! Pair potential, volume integral and half space.
 
 use super::cells::{LAW, against, cell, rule};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{Cuboid, LennardJones, body_force_by_volume, cubic_block, double_integral, pair_sum};
 

@@ -1,7 +1,7 @@
 //! An endless lattice, summed atom by atom, against Poisson's sum over its planes.
 
 use super::cells::{LAW, against, cell};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{LatticeHalfSpace, LennardJones, Level, TiltedBlock};
 use peelkit::number::root::Bracket;

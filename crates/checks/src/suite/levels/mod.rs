@@ -6,7 +6,7 @@ mod half_space;
 mod lattice;
 mod section;
 
-use super::check::{Check, Topic};
+use crate::check::{Check, Topic};
 
 pub(super) const TOPIC: Topic =
     Topic { name: "levels", about: "atoms, volumes, body force, surface traction and line load", checks };

@@ -1,7 +1,7 @@
 //! Body force, surface traction and line load of tilted sections and of a tilted piece of strip.
 
 use super::cells::{LAW, against, cell, rule};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::{Faces, Law, Level, LineLaw, LineLoad, Resultant, TiltedBlock, section_by_body_force};
 

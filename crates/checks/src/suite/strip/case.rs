@@ -1,6 +1,6 @@
 //! A strip of a table, peeled.
 
-use crate::suite::check::{Check, Measure, missing};
+use crate::check::{Check, Measure, missing};
 use crate::suite::reference;
 use crate::suite::reference::Row;
 use peelkit::adhesion::LineLoad;

@@ -1,11 +1,16 @@
-//! The strip against collocation of the strong form, exact relations and limits.
+//! The strip against collocation of the strong form, exact relations and limits; and topics of their own for strips that differ from the paper's in one
+//! thing: the law of adhesion, friction, the direction of the pull, or that they may leave their plane.
 
 mod case;
+pub(super) mod laws;
+pub(super) mod out_of_plane;
 mod peaks;
+pub(super) mod pull;
 mod steady;
+pub(super) mod turns;
 mod values;
 
-use super::check::{Check, Topic};
+use crate::check::{Check, Topic};
 use case::Case;
 
 pub(super) const TOPIC: Topic = Topic {

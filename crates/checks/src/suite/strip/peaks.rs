@@ -1,7 +1,7 @@
 //! The initiation peak over many decades of EI: the law EI^(1/4), how it saturates, and what it comes down to.
 
 use super::case::{Case, DEFAULT};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference;
 use crate::suite::reference::{Row, published};
 use peelkit::adhesion::LineLoad;

@@ -1,7 +1,7 @@
 //! What holds exactly while the free end is at rest: the first integral, and the steady force that follows from it.
 
 use super::case::DEFAULT;
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::published;
 use peelkit::adhesion::LineLoad;
 use peelkit::analytic::steady_force;

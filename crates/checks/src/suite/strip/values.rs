@@ -1,7 +1,7 @@
 //! Peak, plateau, limit points and their error bounds at six stiffnesses and three line loads; the work of peeling; equilibria at exact values.
 
 use super::case::{Case, DEFAULT};
-use crate::suite::check::{Check, Measure};
+use crate::check::{Check, Measure};
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::LineLoad;
 use peelkit::model::StripModel;

@@ -1,8 +1,8 @@
 //! The strip pulled at an angle against collocation, and its steady force against a closed form.
 
-use super::turns::Turns;
-use crate::suite::check::{Check, Measure, Topic, missing};
+use crate::check::{Check, Measure, Topic, missing};
 use crate::suite::reference::{Row, read};
+use crate::suite::strip::turns::Turns;
 use peelkit::adhesion::{Attraction, CohesiveShape};
 use peelkit::analytic::sliding_force;
 use peelkit::beam::Material;

@@ -1,20 +1,20 @@
 //! What a grip shifts, rolls, yaws and holds in space: closed forms, the plane, and mirror images.
 
-use super::check::{Check, Measure, Topic};
-use super::reference;
+use crate::check::{Check, Measure, Topic};
+use crate::suite::reference;
 use peelkit::beam::{ForcesInSpace, GripState, PlaceInSpace};
 use peelkit::model::{Body, Hold, PeelModel, Space, Step, StripModel};
 use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, Peel, StopCriteria, peel};
 use std::f64::consts::PI;
 
-pub(super) const TOPIC: Topic = Topic {
+pub(in crate::suite) const TOPIC: Topic = Topic {
     name: "grip-in-space",
     about: "what a grip shifts, rolls, yaws and holds in space: closed forms, planar collocation, mirror images",
     checks,
 };
 
-const PULLED: &str = include_str!("../../verification/pull_angle.csv");
-const STRIPS: &str = include_str!("../../verification/strip.csv");
+const PULLED: &str = include_str!("../../../verification/pull_angle.csv");
+const STRIPS: &str = include_str!("../../../verification/strip.csv");
 /// L, h and b, nm
 const LENGTH: f64 = 100.0;
 const HEIGHT: f64 = 10.0;

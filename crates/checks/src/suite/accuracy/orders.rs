@@ -4,11 +4,11 @@
 //! energy converges with it: every quantity at order 2p. At high p an error is round-off before its rate is near 2p; the rate
 //! between two meshes approaches it linearly in h, so that it is extrapolated to h = 0.
 
-use super::check::{Check, Measure, Topic};
+use crate::check::{Check, Measure, Topic};
 use peelkit::model::{BeamProblem, Form, StripModel};
 use peelkit::solve::{NewtonOptions, Observables, PathConstraint, Solution, State, Workspace, solve};
 
-pub(super) const TOPIC: Topic =
+pub(in crate::suite) const TOPIC: Topic =
     Topic { name: "orders", about: "orders of convergence for p = 1 to 8 in energy, displacement, peak force", checks };
 
 /// What is measured on a mesh.

@@ -1,6 +1,6 @@
 //! Where planar strips lose their stability out of the plane, against shooting.
 
-use crate::suite::check::{Check, Measure, Topic};
+use crate::check::{Check, Measure, Topic};
 use crate::suite::reference::{Row, read};
 use peelkit::model::{PeelModel, StripModel};
 use peelkit::study::{Accuracy, OutOfPlaneLoss, Peel, StopCriteria, peel};

@@ -3,16 +3,16 @@
 //! The true values are those of a collocation of the strong form without finite elements, good to the digits printed, for
 //! the initiation peak and the first two displacement limit points where they exist.
 
-use super::check::{Check, Measure, Topic};
-use super::reference;
+use crate::check::{Check, Measure, Topic};
+use crate::suite::reference;
 use peelkit::model::StripModel;
 use peelkit::study::{Accuracy, LimitPointKind, PathEnd, Peel, StopCriteria, peel};
 use rayon::prelude::*;
 
-pub(super) const TOPIC: Topic =
+pub(in crate::suite) const TOPIC: Topic =
     Topic { name: "bounds", about: "error bounds against true errors on 200 randomly sampled scenes", checks };
 
-const TABLE: &str = include_str!("../../verification/bound_scenes.csv");
+const TABLE: &str = include_str!("../../../verification/bound_scenes.csv");
 /// The scenes' accuracy: the default.
 const RELATIVE: f64 = 1e-6;
 const SOURCE: &str = "verification/bound_scenes.py: Chebyshev collocation of the strong form";
@@ -102,7 +102,7 @@ pub fn survey() -> Survey {
 }
 
 /// Value and bound of every number that a row may hold.
-pub(super) fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
+pub(in crate::suite) fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
     let peak = peel.initiation_peak.as_ref();
     let mut turns = peel.limit_points.iter().filter(|point| point.kind == LimitPointKind::Displacement);
     let (first, second) = (turns.next(), turns.next());
@@ -117,7 +117,7 @@ pub(super) fn reported(peel: &Peel) -> [(&'static str, Option<(f64, f64)>); 6] {
 }
 
 /// One unit of the last digit of a number as it is printed.
-pub(super) fn last_digit(text: &str) -> f64 {
+pub(in crate::suite) fn last_digit(text: &str) -> f64 {
     let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     10f64.powi(exponent.parse::<i32>().unwrap_or(0) - decimals as i32)

@@ -1,15 +1,15 @@
 //! Strips that are pulled, rolled and let go in space, against collocation of the strong form.
 
-use super::check::{Check, Measure, Topic};
+use crate::check::{Check, Measure, Topic};
 use peelkit::adhesion::SectionShape;
 use peelkit::model::{Body, Hold, PeelModel, Space, Step, StripModel};
 use peelkit::study::{Accuracy, LimitPoint, LimitPointKind, Peel, StopCriteria, peel};
 use rayon::prelude::*;
 
-pub(super) const TOPIC: Topic =
+pub(in crate::suite) const TOPIC: Topic =
     Topic { name: "space", about: "strips in space, and what a grip does before the pull: collocation", checks };
 
-const PEELS: &str = include_str!("../../verification/space_peels.csv");
+const PEELS: &str = include_str!("../../../verification/space_peels.csv");
 const COLLOCATION: &str = "verification/space_peels.py: Gauss collocation";
 const ASKED: f64 = 1e-6;
 /// The first folds lie before that point.

@@ -1,8 +1,8 @@
 //! Strips under other laws of adhesion against collocation, and their steady force against the work of adhesion.
 
-use super::turns::Turns;
-use crate::suite::check::{Check, Measure, Topic, missing};
+use crate::check::{Check, Measure, Topic, missing};
 use crate::suite::reference::{Row, read};
+use crate::suite::strip::turns::Turns;
 use peelkit::adhesion::{CohesiveShape, LineLoad};
 use peelkit::analytic::kendall_force;
 use peelkit::beam::Material;

@@ -1,7 +1,7 @@
 //! Initiation peak and first two displacement limit points of the strips of a table, each with its error over its bound.
 
-use crate::suite::bounds;
-use crate::suite::check::{Check, Measure, Topic, missing};
+use crate::check::{Check, Measure, Topic, missing};
+use crate::suite::accuracy::bounds;
 use crate::suite::reference::{Row, read};
 use peelkit::adhesion::Attraction;
 use peelkit::study::{Accuracy, PathEnd, StopCriteria, peel};

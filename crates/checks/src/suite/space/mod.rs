@@ -1,0 +1,4 @@
+//! Strips in space, and what their grip does there.
+
+pub(super) mod grip;
+pub(super) mod strips;
