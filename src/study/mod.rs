@@ -4,7 +4,6 @@ pub mod coarsening;
 mod displacement_controlled_test;
 mod in_time;
 mod initial;
-mod limit_point_continuation;
 mod out_of_plane;
 mod parameters;
 mod peel;
@@ -17,6 +16,7 @@ pub use crate::solve::points::tracer::{RodFailure, RodLimitPoint, RodPath, follo
 /// Order of the elements with which a point is followed.
 pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice, ORDER as FOLLOWED_ORDER};
 pub use asked::events::{EventAction, EventAt, EventQuantity, OfFields, Passing, StationAt, StationQuantity};
+pub use asked::locator::StationErrors;
 pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use displacement_controlled_test::observed::{NoTest, no_test, observed, observed_retreat};
@@ -41,11 +41,6 @@ pub use initial::error::{
 };
 pub use initial::prepared::{Prepared, prepared};
 pub use initial::stability::RelaxedStart;
-pub use limit_point_continuation::cusp::{Cusp, cusp};
-pub use limit_point_continuation::result::{
-    CuspError, FollowedPoint, FollowedRow, FollowedSweep, PointKind, PointNotFound, Remark, Spacing,
-};
-pub use limit_point_continuation::sweep::follow_point;
 pub use out_of_plane::branch::result::{BranchStart, OutOfPlaneBranch, OutOfPlaneBranchError};
 pub use out_of_plane::result::{NotOutOfPlane, OutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 pub use out_of_plane::width_range::{WidthLimit, WidthRange};
@@ -61,6 +56,11 @@ pub use parameters::fit::result::{
 };
 pub use parameters::fit::run::fit;
 pub use parameters::fit::warnings::FitWarning;
+pub use parameters::limit_point_continuation::cusp::{Cusp, cusp};
+pub use parameters::limit_point_continuation::result::{
+    CuspError, FollowedPoint, FollowedRow, FollowedSweep, PointKind, PointNotFound, Remark, Spacing,
+};
+pub use parameters::limit_point_continuation::sweep::follow_point;
 pub use parameters::sensitivity::differences::MOST_CHANGED;
 pub use parameters::sensitivity::force::force_derivatives;
 pub use parameters::sensitivity::quantity::{Derivative, Variation};
@@ -68,12 +68,13 @@ pub use parameters::sensitivity::quantity::{NoSensitivities, PeelQuantity};
 pub use parameters::sensitivity::run::{Exponent, Sensitivities, sensitivities};
 pub use parameters::sweep::{PeelResult, power_law, sweep};
 pub use parameters::{optimisation, uncertainty};
+pub use peel::along_path::station::{Events, MissedStation, Station, Stations};
+pub use peel::along_path::work::Sliding;
 pub use peel::budget::Checkpoint;
 pub use peel::contact::{Adhering, Contact, SMALLEST_RADIUS};
 pub use peel::equilibrium_path::follow::PathPoints;
 pub use peel::result::{Effort, Failure, LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
 pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
-pub use peel::work::Sliding;
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 pub use seta::result::{
@@ -82,15 +83,13 @@ pub use seta::result::{
 };
 pub use seta::run::{pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
-pub use seta::standing::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, TipState};
 pub use solid_peel::{
     SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
     peel_solid,
 };
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::fields::{BeamState, StateSections};
-pub use states::locator::StationErrors;
-pub use states::station::{Events, MissedStation, Station, Stations};
+pub use states::seta_state::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, TipState};
 pub use terms::effects::TermEffect;
 pub use terms::term_selection::{checked, peel, peel_on};
 pub use terms::warnings::{Warning, WarningKind};

@@ -7,10 +7,11 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+mod asked;
 mod http;
 mod page;
 mod run;
 
-pub use http::limits::Limits;
+pub use asked::limits::Limits;
 pub use http::server::{Server, Stopper};
 pub use page::{READY, StartScene};

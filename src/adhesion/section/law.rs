@@ -1,8 +1,8 @@
 //! The adhesion model of a section, and everything that is asked of it elsewhere.
 
 use super::barrier::Barrier;
+use super::calibrated::Cohesive;
 use super::cohesive::CohesiveShape;
-use super::cohesive::calibrated::Cohesive;
 use super::cohesive::tabulated::TractionTable;
 use super::own::OwnLaw;
 use crate::adhesion::levels::half_space::HalfSpace;

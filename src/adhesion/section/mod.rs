@@ -5,6 +5,7 @@
 
 pub(crate) mod barrier;
 mod body_force;
+pub(crate) mod calibrated;
 pub(crate) mod cohesive;
 pub(crate) mod coverage;
 pub(crate) mod law;

@@ -12,7 +12,7 @@
 //! Source: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
 //! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure.
 
-use super::cohesive::calibrated::Cohesive;
+use super::calibrated::Cohesive;
 use crate::number::Real;
 use std::f64::consts::E;
 

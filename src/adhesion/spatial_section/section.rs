@@ -4,7 +4,7 @@ use super::error::SpatialSectionError;
 use super::own_face::OwnFace;
 use super::response::SpatialSectionResponse;
 use super::{axis_gap, cohesive_face, ellipse, near_face, rectangle};
-use crate::adhesion::section::cohesive::calibrated::Cohesive;
+use crate::adhesion::section::calibrated::Cohesive;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::number::Real;

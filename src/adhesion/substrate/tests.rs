@@ -2,7 +2,6 @@
 
 use super::Substrate;
 use super::heights::Heights;
-use super::response::GroundLaw;
 use super::ridge::Ridge;
 use super::round::Round;
 use super::sinusoid::Sinusoid;
@@ -11,6 +10,7 @@ use crate::adhesion::levels::curved::BodyShape;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
+use crate::adhesion::substrate_response::GroundLaw;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use std::sync::Arc;
 

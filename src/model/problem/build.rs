@@ -7,7 +7,7 @@ use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::EnergyDensity;
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::mesh::{Focus, MeshKind, MeshPolicy, Reach};

@@ -1,7 +1,7 @@
 //! What is looked for on the way: stations, where a quantity has a value, and events of the user, where it passes one.
 
-use crate::study::seta::standing::SetaState;
 use crate::study::states::fields::BeamState;
+use crate::study::states::seta_state::SetaState;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;

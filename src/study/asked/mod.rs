@@ -2,5 +2,7 @@
 pub(super) mod accuracy;
 pub(super) mod error_bounds;
 pub(super) mod events;
+pub(super) mod locator;
+pub(super) mod measured;
 pub(super) mod stop_criteria;
 pub(super) mod terms;

@@ -15,7 +15,7 @@ use crate::study::asked::stop_criteria::{Bound, StopCriteria};
 use crate::study::seta::loading::{SetaLoading, SetaOptions};
 use crate::study::seta::result::{SetaEnd, SetaPullOff};
 use crate::study::seta::run::pull_off;
-use crate::study::seta::standing::SetaPoint;
+use crate::study::states::seta_state::SetaPoint;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;

@@ -14,7 +14,7 @@ use crate::study::asked::stop_criteria::{Bound, StopCriteria};
 use crate::study::seta::loading::{SetaLoading, SetaOptions, SetaStart};
 use crate::study::seta::result::{EventCause, SetaEnd, SetaFailure, SetaPullOff};
 use crate::study::seta::run::pull_off_from;
-use crate::study::seta::standing::SetaPoint;
+use crate::study::states::seta_state::SetaPoint;
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 

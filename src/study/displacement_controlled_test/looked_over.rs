@@ -7,9 +7,9 @@ use crate::solve::newton::Solution;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::least;
 use crate::study::asked::events::{EventAction, StationQuantity};
+use crate::study::asked::locator::{Bounds, Found, Locator, StationErrors};
+use crate::study::asked::measured::Measure;
 use crate::study::asked::stop_criteria::Bound;
-use crate::study::states::locator::{Bounds, Found, Locator, StationErrors};
-use crate::study::states::measured::Measure;
 use std::sync::Arc;
 
 /// A station, or where an event lies.

@@ -1,9 +1,9 @@
 //! What a testing machine would record: the stable part of the path, the jumps, and the way back.
 
 use super::stable_branch::{Balance, LeftModel, LoadingDirection, TestFailure};
+use crate::study::asked::locator::StationErrors;
 use crate::study::asked::stop_criteria::Bound;
 use crate::study::peel::contact::Adhering;
-use crate::study::states::locator::StationErrors;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 

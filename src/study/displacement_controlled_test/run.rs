@@ -24,12 +24,12 @@ use crate::solve::workspace::{Pace, Workspace};
 use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
 use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::asked::events::EventAction;
+use crate::study::asked::measured::Measure;
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
 use crate::study::peel::contact::Adhering;
 use crate::study::peel::step_dependence::StepCurve;
-use crate::study::states::measured::Measure;
 use std::sync::Arc;
 
 /// Most that a step of relaxation moves, relative to the gap.

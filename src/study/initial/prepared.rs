@@ -2,13 +2,13 @@
 
 use super::error::{NoEquilibrium, NotPrepared, UnstableRest};
 use super::stability::RelaxedStart;
-use super::{loading_steps, settled, stability};
 use crate::beam::grip_state::GripState;
 use crate::beam::mesh::MeshKind;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::solve::workspace::ShouldStop;
+use crate::study::initial::{loading_steps, settled, stability};
 use std::sync::Arc;
 
 /// A problem whose path can be followed.

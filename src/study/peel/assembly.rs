@@ -3,8 +3,6 @@
 use super::equilibrium_path::path_end::Followed;
 use super::result::{Effort, Failure, PathEnd, Peel};
 use super::solution_history::{BranchPoint, LimitPoint, PathPoint, Peak};
-use super::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
-use super::work::{WorkErrors, work_at, work_near};
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::check::error::ModelError;
 use crate::model::peel::PeelModel;
@@ -17,6 +15,8 @@ use crate::study::asked::error_bounds::{
     BENDING_ROUND_OFF, DIFFERENCE_BOUND_FACTOR, ROUND_OFF, ROUND_OFF_HELD, ROUND_OFF_PLACE, STRAIN_ROUND_OFF,
     bound_floor, counts,
 };
+use crate::study::peel::along_path::special_points::{name_special_points, peak_of, pushes_behind_a_fold};
+use crate::study::peel::along_path::work::{WorkErrors, work_at, work_near};
 use std::sync::Arc;
 
 /// A slope of the force below this share of a later one, before a maximum, is that of another maximum.

@@ -5,7 +5,6 @@ use super::equilibrium_path::path_end::Followed;
 use super::result::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
 use super::solution_history::{LimitPoint, SolutionHistory};
-use super::special_points::{difference_at_start, error_at_start};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -14,6 +13,7 @@ use crate::study::asked::accuracy::{Accuracy, Resolution};
 use crate::study::asked::error_bounds::{
     DIFFERENCE_BOUND_FACTOR, PLAIN_IMPROVEMENT, STRIDE_BOUND_FACTOR, STRIDE_TOLERANCE_FACTOR, counts,
 };
+use crate::study::peel::along_path::special_points::{difference_at_start, error_at_start};
 use std::sync::Arc;
 
 /// The first integral may spread by this many times the accuracy asked for, in units of the work of adhesion, at any point:

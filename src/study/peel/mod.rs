@@ -1,4 +1,5 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
+pub(super) mod along_path;
 pub(super) mod assembly;
 mod attempt;
 pub(super) mod budget;
@@ -8,6 +9,4 @@ pub(super) mod meshes;
 pub(super) mod result;
 pub(super) mod run;
 pub(super) mod solution_history;
-mod special_points;
 pub(super) mod step_dependence;
-pub(super) mod work;

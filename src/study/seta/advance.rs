@@ -4,7 +4,6 @@ use super::knot::{Allowed, Knot, Reached, maximum};
 use super::loading::SetaOptions;
 use super::loss::{Loss, locate};
 use super::rest::share_of_change;
-use super::standing::LocationError;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
 use super::watched::Watched;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
@@ -13,6 +12,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::problem::Problem;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
+use crate::study::states::seta_state::LocationError;
 
 /// Error of the displacement at which a tip comes to the end of its branch, nm.
 const LOCATED: f64 = 1e-6;

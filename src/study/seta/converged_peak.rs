@@ -8,7 +8,6 @@ use super::loading::{SetaLoading, SetaOptions};
 use super::result::SetaProgress;
 use super::result::{SetaEffort, SetaEnd, SetaMoment, SetaPullOff};
 use super::run::Run;
-use super::standing::{LocationError, SetaPoint, SetaState};
 use super::standing::{RootDrive, Standing, TipTangent};
 use crate::beam::element::basis::MOST_ORDER;
 use crate::model::seta::check::SetaError;
@@ -18,6 +17,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::stop_criteria::{Stage, StopCriteria};
+use crate::study::states::seta_state::{LocationError, SetaPoint, SetaState};
 use serde::{Deserialize, Serialize};
 
 /// How far before the peak the finer mesh begins, over the first step: the nearest at which it is stable with the same tips and its force rises.

@@ -1,6 +1,5 @@
 //! The work of the root between two equilibria of one branch, from force, displacement and their slopes at both.
 
-use super::standing::LocationError;
 use super::standing::Standing;
 use crate::number::root::{self, Passing};
 use crate::solve::error::{Quantity, SolveError};
@@ -9,6 +8,7 @@ use crate::solve::problem::Problem;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::events::{EventAt, StationQuantity};
+use crate::study::states::seta_state::LocationError;
 
 /// Places and weights of Gauss's rule with four points on [0, 1].
 const GAUSS: [(f64, f64); 4] = [

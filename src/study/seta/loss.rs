@@ -11,7 +11,6 @@
 
 use super::knot::{Allowed, Knot, Reached, maximum};
 use super::loading::SetaOptions;
-use super::standing::LocationError;
 use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::{Critical, Watched, at_branching, at_fold};
 use crate::beam::spatial::rotation::{exponential, product};
@@ -22,6 +21,7 @@ use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::problem::Problem;
 use crate::solve::state::{Observables, PathConstraint};
 use crate::solve::workspace::Workspace;
+use crate::study::states::seta_state::LocationError;
 
 /// Error of the displacement at a loss, nm: that of the force there goes with its root.
 const LOCATED: f64 = 1e-8;

@@ -1,10 +1,11 @@
 //! What a pull-off of a seta gives.
 
-use super::standing::{LocationError, SetaPoint, SetaState, Standing};
+use super::standing::Standing;
 use crate::model::seta::tip_law::{AdheringTip, TipBranch};
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::study::asked::stop_criteria::Bound;
+use crate::study::states::seta_state::{LocationError, SetaPoint, SetaState};
 use serde::{Deserialize, Serialize};
 
 /// What one tip does in an event.

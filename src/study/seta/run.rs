@@ -6,7 +6,7 @@ use super::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 use super::loss::Loss;
 use super::rest::{Rested, come_to_rest};
 use super::result::{EventCause, Mark, Named, SetaEnd, SetaEvent, SetaFailure, SetaProgress, SetaPullOff, SetaStation};
-use super::standing::{JointPlace, LocationError, RootDrive, SetaPoint, SetaState, Standing, TipTangent};
+use super::standing::{RootDrive, Standing, TipTangent};
 use super::watched::Critical;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
@@ -20,6 +20,7 @@ use crate::solve::workspace::Workspace;
 use crate::study::asked::events::{EventAction, EventQuantity, StationQuantity};
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 use crate::study::seta::advance::Refusal;
+use crate::study::states::seta_state::{JointPlace, LocationError, SetaPoint, SetaState};
 
 /// Shortest step of the root, nm: below the error with which contacts are located.
 const SHORTEST: f64 = 1e-7;

@@ -6,7 +6,7 @@
 
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::spatial_section::section::SectionShape;
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::SectionState;
 use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::planar_beam::PlanarBeam;

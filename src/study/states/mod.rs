@@ -1,8 +1,5 @@
-//! The beam at chosen points of its path: fields along S, for tables and pictures.
+//! The state of a beam or a seta in an equilibrium: fields along the beam, joints, branches and tips.
 
 pub(super) mod along_beam;
-pub(super) mod beam_state;
 pub(super) mod fields;
-pub(super) mod locator;
-pub(super) mod measured;
-pub(super) mod station;
+pub(super) mod seta_state;

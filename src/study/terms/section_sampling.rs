@@ -3,7 +3,7 @@
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::section::line_load::LineLaw;
 use crate::adhesion::substrate::Substrate;
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::planar::chain::Configuration;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::section::Section;

@@ -10,7 +10,7 @@ use super::term_selection;
 use crate::adhesion::friction::dahl::FrictionLaw;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::model::check::error::ModelError;
 use crate::model::ground::{Friction, Ground};
 use crate::model::peel::{Form, Hold, PeelModel};

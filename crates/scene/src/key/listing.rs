@@ -2,8 +2,8 @@
 
 use super::kind::{Key, Kind};
 use crate::body::shape_names;
+use crate::key::pieces::PIECE;
 use crate::value::form::Form;
-use crate::value::pieces::PIECE;
 use crate::value::quantity::Dimension;
 use crate::value::{show, steps};
 use peelkit::model::Range;

@@ -3,8 +3,9 @@
 use super::choice::listed;
 use super::kind::{Key, Kind};
 use crate::error::{ValueError, nearest, one_line};
+use crate::key::pieces;
 use crate::value::quantity::{Comma, Dimension, QuantityError};
-use crate::value::{Value, pieces, quoted, show, steps};
+use crate::value::{Value, quoted, show, steps};
 use peelkit::model::Range;
 
 impl Key {

@@ -7,4 +7,5 @@ pub(crate) mod kind;
 pub(crate) mod list;
 mod listing;
 mod message;
+mod pieces;
 pub(crate) mod table;

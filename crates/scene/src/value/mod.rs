@@ -1,7 +1,6 @@
 //! A value of a scene, whichever key it is of, and the texts, lists and tables that one may be.
 
 pub(crate) mod form;
-pub(crate) mod pieces;
 pub(crate) mod quantity;
 pub(crate) mod steps;
 pub(crate) mod table;

@@ -1,9 +1,6 @@
-//! The server: who may ask, what, how much, and what is refused.
+//! The server: who may ask, and what is answered.
 
 pub(crate) mod connections;
-pub(crate) mod limits;
 pub(crate) mod origin;
-pub(crate) mod refusal;
-pub(crate) mod request;
 pub(crate) mod routes;
 pub(crate) mod server;

@@ -1,6 +1,6 @@
 //! Who may ask: the page of this server, and nobody whom another page has sent.
 
-use crate::http::refusal::Refusal;
+use crate::asked::refusal::Refusal;
 use axum::http::{HeaderMap, Method, Uri, header};
 use std::net::IpAddr;
 

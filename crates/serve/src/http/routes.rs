@@ -1,9 +1,9 @@
 //! Addresses and what stands behind them.
 
-use crate::http::limits::Limits;
+use crate::asked::limits::Limits;
+use crate::asked::refusal::Refusal;
+use crate::asked::request::{FileRequest, PeelRequest, parse};
 use crate::http::origin;
-use crate::http::refusal::Refusal;
-use crate::http::request::{FileRequest, PeelRequest, parse};
 use crate::page::{FILES, PageFile, StartScene};
 use crate::run::answer::answer;
 use crate::run::files::file;

@@ -1,7 +1,7 @@
 //! The server: an address, its connections, its end.
 
+use crate::asked::limits::Limits;
 use crate::http::connections::{BeingAnswered, Busy, Connections};
-use crate::http::limits::Limits;
 use crate::http::routes::router;
 use crate::page::{StartScene, start_scenes};
 use crate::run::runs::Runs;

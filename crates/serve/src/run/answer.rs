@@ -1,7 +1,7 @@
 //! What the page gets of a run.
 
-use crate::http::refusal::Refusal;
-use crate::http::request::{Part, PeelRequest};
+use crate::asked::refusal::Refusal;
+use crate::asked::request::{Part, PeelRequest};
 use crate::run::controls::{Control, controls};
 use crate::run::curve::Curve;
 use crate::run::poses::{Poses, shown_states};

@@ -1,7 +1,7 @@
 //! The files of a run, to keep.
 
-use crate::http::refusal::Refusal;
-use crate::http::request::{File, FileRequest};
+use crate::asked::refusal::Refusal;
+use crate::asked::request::{File, FileRequest};
 use crate::run::answer::run;
 use crate::run::runs::RunEnd;
 use peelkit_analyses::{Outcome, RunOutcome};

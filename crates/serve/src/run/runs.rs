@@ -1,7 +1,7 @@
 //! Runs on threads of their own: so many at once, so many that wait, each with an end.
 
-use crate::http::limits::Limits;
-use crate::http::refusal::Refusal;
+use crate::asked::limits::Limits;
+use crate::asked::refusal::Refusal;
 use peelkit::study::{Stage, StopCriteria, StopReason};
 use peelkit_analyses::Watcher;
 use std::sync::Arc;

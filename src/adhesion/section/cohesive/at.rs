@@ -1,4 +1,4 @@
 //! What a shape says at one opening.
 
 /// At the opening t = δ/δ_r: ∫ s from t on, s, and its slope.
-pub(super) type At = [f64; 3];
+pub(in crate::adhesion) type At = [f64; 3];

@@ -2,9 +2,7 @@
 //!
 //! A shape is a file here that says what the law is called, what its corners take, and what it is, and a line of the list below.
 
-mod at;
-pub(crate) mod calibrated;
-mod on_width;
+pub(super) mod at;
 mod ramp;
 pub(crate) mod tabulated;
 
@@ -32,7 +30,7 @@ macro_rules! shapes {
             pub const ALL: &'static [Self] = &[$(Self::$shape),*];
 
             #[inline(always)]
-            fn at(self, t: f64) -> At {
+            pub(super) fn at(self, t: f64) -> At {
                 match self {
                     $(Self::$shape => $file::at(t),)*
                     Self::Measured(curve) => curve.at(t),
@@ -49,7 +47,7 @@ macro_rules! shapes {
 
             /// The integral from t on of the first number of `at`.
             #[inline(always)]
-            fn primitive(self, t: f64) -> f64 {
+            pub(super) fn primitive(self, t: f64) -> f64 {
                 match self {
                     $(Self::$shape => $file::primitive(t),)*
                     Self::Measured(curve) => curve.primitive(t),
@@ -101,7 +99,7 @@ impl CohesiveShape {
     }
 
     /// An opening δ/δ_r at which it still pulls, and behind which it falls off.
-    fn pulling(self) -> f64 {
+    pub(super) fn pulling(self) -> f64 {
         match self {
             Self::Measured(curve) => curve.last_top(),
             _ => 0.5,

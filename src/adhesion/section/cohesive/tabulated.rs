@@ -332,10 +332,7 @@ fn slopes(places: &[f64], values: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::CohesiveShape;
-    use super::super::calibrated::Cohesive;
     use super::*;
-    use crate::adhesion::HalfSpace;
     use approx::{assert_abs_diff_eq, assert_relative_eq};
 
     /// Rows at unequal distances, with two that are level and a second maximum.
@@ -414,19 +411,6 @@ mod tests {
         let [coarse, fine] = [50, 200].map(error);
         assert!(coarse.0 < 4e-3 && fine.0 < 4e-4, "{coarse:?} {fine:?}");
         assert!(coarse.1 < 4e-5 && fine.1 < 2e-7, "{coarse:?} {fine:?}");
-    }
-
-    #[test]
-    fn a_law_of_its_rows_has_their_work_strength_and_range() {
-        let rows = table();
-        let curve = Measured::through(&rows);
-        assert_eq!(curve, Measured::through(&rows.clone()));
-        let half_space = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
-        let law = Cohesive::calibrated(CohesiveShape::Measured(curve), rows.strength(), rows.work(), &half_space);
-        assert_relative_eq!(law.range, 9.0, max_relative = 1e-14);
-        assert_relative_eq!(law.levels(law.closed + 5.0)[1], -0.05, max_relative = 1e-13);
-        // behind the last row nothing pulls, and 1/1000 of the strength a little before
-        assert!((8.5..9.0).contains(&(law.cutoff_distance() - law.closed)), "{law:?}");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::varying::Profile;
 use crate::number::Real;

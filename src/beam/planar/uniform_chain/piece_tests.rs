@@ -14,8 +14,8 @@
 
 use super::elements::UniformChain;
 use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::calibrated::Cohesive;
 use crate::adhesion::section::cohesive::CohesiveShape;
-use crate::adhesion::section::cohesive::calibrated::Cohesive;
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};

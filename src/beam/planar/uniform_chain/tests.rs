@@ -14,7 +14,7 @@ use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
-use crate::adhesion::substrate::response::GroundLaw;
+use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::basis::slot;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::beam::element::frontal_matrix::FrontalMatrix;

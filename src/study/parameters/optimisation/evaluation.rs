@@ -7,7 +7,7 @@ use crate::solve::path::options::{PathOptions, Waypoint};
 use crate::study::asked::accuracy::{Accuracy, Choice};
 use crate::study::asked::stop_criteria::{Stage, StopCriteria, StopReason};
 use crate::study::asked::terms::Terms;
-use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::parameters::limit_point_continuation::result::Spacing;
 use crate::study::parameters::sensitivity::quantity::PeelQuantity;
 use crate::study::parameters::sensitivity::quantity::{Derivative, Variation};
 use crate::study::parameters::sensitivity::run::sensitivities;

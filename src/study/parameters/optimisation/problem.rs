@@ -9,7 +9,7 @@
 
 use crate::model::peel::PeelModel;
 use crate::study::asked::stop_criteria::StopCriteria;
-use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::parameters::limit_point_continuation::result::Spacing;
 use crate::study::parameters::sensitivity::quantity::PeelQuantity;
 use crate::study::peel::result::Peel;
 

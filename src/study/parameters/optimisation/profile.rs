@@ -5,7 +5,7 @@ use super::problem::{ConstraintKind, DesignConstraint, DesignVariable, ProfileCo
 use crate::model::body::Body;
 use crate::model::body::profile::{Profile, ProfileColumns, ProfileForm, ProfileTable};
 use crate::model::peel::PeelModel;
-use crate::study::limit_point_continuation::result::Spacing;
+use crate::study::parameters::limit_point_continuation::result::Spacing;
 use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
 

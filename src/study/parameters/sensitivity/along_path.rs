@@ -7,7 +7,7 @@ use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;
-use crate::study::peel::work::power;
+use crate::study::peel::along_path::work::power;
 
 /// How far apart the equilibria beside a limit point are, over the distance in which the path is smooth: a sixth-order difference over them misses
 /// the sixth power of four times that.

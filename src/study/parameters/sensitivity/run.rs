@@ -12,9 +12,9 @@ use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::peel::along_path::work::power;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
-use crate::study::peel::work::power;
 use rayon::prelude::*;
 use std::sync::Arc;
 

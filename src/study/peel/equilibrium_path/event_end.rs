@@ -4,9 +4,9 @@ use super::path_end::Followed;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
+use crate::study::asked::locator::Locator;
 use crate::study::asked::stop_criteria::{Bound, StopCriteria};
 use crate::study::peel::result::PathEnd;
-use crate::study::states::locator::Locator;
 use std::sync::Arc;
 
 /// Points whose values say how large a quantity is, and that a polynomial goes through.

@@ -1,6 +1,6 @@
 //! What the page asks: a scene, keys that replace those of it, and what of its run is wanted.
 
-use crate::http::refusal::Refusal;
+use crate::asked::refusal::Refusal;
 use axum::body::Bytes;
 use peelkit_scene::Scene;
 use serde::Deserialize;

@@ -1,12 +1,12 @@
 //! Which equilibria of a path are looked at with their fields along the beam: its limit points, and others evenly between.
 
-use super::fields::{BeamState, Reader};
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::{ROUGH, step_to};
 use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
+use crate::study::states::fields::{BeamState, Reader};
 use std::sync::Arc;
 
 /// Pieces of a step by which the length of the curve is measured.

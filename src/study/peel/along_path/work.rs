@@ -1,9 +1,6 @@
 //! The work of the grip along a path, of its force, and of its moment where it turns: the energy it changed, or, where the load has no
 //! potential, ∫ P du.
 
-use super::result::{PathFailure, Peel};
-use super::solution_history::SolutionHistory;
-use super::step_dependence::StepCurve;
 use crate::adhesion::friction::dahl::FrictionState;
 use crate::beam::planar::planar_beam::FrictionHistory;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -15,6 +12,9 @@ use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::Observables;
 use crate::solve::workspace::{ShouldStop, Workspace};
 use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, bound_floor};
+use crate::study::peel::result::{PathFailure, Peel};
+use crate::study::peel::solution_history::SolutionHistory;
+use crate::study::peel::step_dependence::StepCurve;
 use std::sync::Arc;
 
 /// Work from rest to a point, aJ; 0 where the load has no potential, until [`Peel::integrate_works`].
@@ -23,7 +23,7 @@ pub(in crate::study) fn work_at(problem: &BeamProblem, first: &Solution, s: &Sol
 }
 
 /// The same at a located point.
-pub(super) fn work_near(problem: &BeamProblem, first: &Solution, located: &Located) -> f64 {
+pub(in crate::study::peel) fn work_near(problem: &BeamProblem, first: &Solution, located: &Located) -> f64 {
     if !problem.system.is_conservative() {
         return 0.0;
     }
@@ -33,7 +33,7 @@ pub(super) fn work_near(problem: &BeamProblem, first: &Solution, located: &Locat
 }
 
 /// What more elements change of the works of a path.
-pub(super) struct WorkErrors<'p> {
+pub(in crate::study::peel) struct WorkErrors<'p> {
     problem: &'p BeamProblem,
     /// Change of the energy where the path begins, aJ; none where there is none to be had.
     start: Option<f64>,
@@ -84,7 +84,11 @@ fn change_of_energy(problem: &BeamProblem, s: &Solution, held: Observables, ws: 
 }
 
 /// ∫ P du from rest to each point, aJ, whatever the load.
-pub(super) fn works_of_force(problem: &BeamProblem, points: &[Arc<Solution>], ws: &mut Workspace) -> Vec<f64> {
+pub(in crate::study::peel) fn works_of_force(
+    problem: &BeamProblem,
+    points: &[Arc<Solution>],
+    ws: &mut Workspace,
+) -> Vec<f64> {
     let mut works = vec![0.0];
     for i in 0..points.len().saturating_sub(1) {
         works.push(works[i] + StepCurve::behind(problem, points, i, ws).work());
@@ -99,14 +103,14 @@ pub(in crate::study) fn power(problem: &BeamProblem, s: &Solution) -> f64 {
 }
 
 /// Stored and adhesion energy, aJ.
-pub(super) fn energy(problem: &BeamProblem, s: &Solution) -> f64 {
+pub(in crate::study::peel) fn energy(problem: &BeamProblem, s: &Solution) -> f64 {
     problem.energy(&s.at, s.energy)
 }
 
 impl Peel {
     /// Where the load has no potential: ∫ P du of every point and limit point. It takes solutions inside every step, longer than the path,
     /// and so is done once, of the path that is reported. What came out too late may be of interpolants.
-    pub(super) fn integrate_works(&mut self, should_stop: Option<ShouldStop>) -> Option<PathFailure> {
+    pub(in crate::study::peel) fn integrate_works(&mut self, should_stop: Option<ShouldStop>) -> Option<PathFailure> {
         let SolutionHistory { problem, points, limit_points: located, .. } = self.trace.as_ref()?;
         if problem.system.is_conservative() {
             return None;

@@ -1,8 +1,8 @@
 //! A limit point followed in a parameter of the model, and where two of them meet.
 mod confirmation;
 mod continuation;
-pub(super) mod cusp;
-pub(super) mod result;
+pub(in crate::study) mod cusp;
+pub(in crate::study) mod result;
 mod strand;
-pub(super) mod sweep;
+pub(in crate::study) mod sweep;
 mod values;

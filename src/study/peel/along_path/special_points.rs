@@ -1,9 +1,5 @@
 //! The points of a path that have a name: peaks are located limit points, or there are none.
 
-use super::equilibrium_path::path_end::Followed;
-use super::result::{LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
-use super::solution_history::{LimitPoint, PathPoint, Peak};
-use super::step_dependence::StepCurve;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
@@ -12,6 +8,10 @@ use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::Observables;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, LEVEL_FACTOR, ROUND_OFF, least};
+use crate::study::peel::equilibrium_path::path_end::Followed;
+use crate::study::peel::result::{LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
+use crate::study::peel::solution_history::{LimitPoint, PathPoint, Peak};
+use crate::study::peel::step_dependence::StepCurve;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use std::sync::Arc;
 const PULL: f64 = 1e-6;
 
 /// Names the points of a path with points and limit points.
-pub(super) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, followed: &Followed) {
+pub(in crate::study::peel) fn name_special_points(peel: &mut Peel, problem: &BeamProblem, followed: &Followed) {
     let known = steps_known(followed);
     let rises = |at: &LimitPoint, of: fn(&Solution) -> f64| of(&followed.points[at.after]) > 0.0;
     let located: Vec<LimitPoint> = peel.limit_points.iter().filter(|at| at.after < known).copied().collect();
@@ -80,7 +80,7 @@ fn largest(points: &[PathPoint]) -> Option<LargestComputedForce> {
 }
 
 /// A limit point as a peak.
-pub(super) fn peak_of(at: &LimitPoint) -> Peak {
+pub(in crate::study::peel) fn peak_of(at: &LimitPoint) -> Peak {
     Peak {
         displacement: at.displacement,
         force: at.force,
@@ -92,7 +92,7 @@ pub(super) fn peak_of(at: &LimitPoint) -> Peak {
 
 /// Whether a path that ended because its force was not above zero never came back to zero: it jumps where the grip pushes, and goes on
 /// there.
-pub(super) fn pushes_behind_a_fold(problem: &BeamProblem, followed: &Followed) -> bool {
+pub(in crate::study::peel) fn pushes_behind_a_fold(problem: &BeamProblem, followed: &Followed) -> bool {
     let pushes = |point: &Arc<Solution>| point.observables.force < 0.0;
     problem.grip.gear != 0.0
         && followed.end == PathEnd::Pivoting
@@ -110,7 +110,7 @@ impl Peel {
 
 /// What more elements change of the force where a path begins, at that displacement: where it is the largest, and behind steps in space. A mesh has to
 /// show that force too.
-pub(super) fn difference_at_start<'p>(
+pub(in crate::study::peel) fn difference_at_start<'p>(
     peel: &Peel,
     problem: &BeamProblem,
     points: &'p [Arc<Solution>],
@@ -121,7 +121,12 @@ pub(super) fn difference_at_start<'p>(
 }
 
 /// Bound on the relative error of that force, in space behind steps over the peak: 0 where there is none to compare it with.
-pub(super) fn error_at_start(peel: &Peel, problem: &BeamProblem, first: &Solution, difference: &Observables) -> f64 {
+pub(in crate::study::peel) fn error_at_start(
+    peel: &Peel,
+    problem: &BeamProblem,
+    first: &Solution,
+    difference: &Observables,
+) -> f64 {
     let force = match peel.peak {
         _ if is_largest(peel, first) => first.observables.force,
         Some(peak) => peak.force,
@@ -145,7 +150,7 @@ fn begins_turned(peel: &Peel) -> bool {
 impl Peel {
     /// Behind steps in space displacements count from where the grip was let go, and that is known as well as its force is: the bounds of all places
     /// hold that too.
-    pub(super) fn allow_for_start(&mut self, first: &Solution, difference: &Observables) {
+    pub(in crate::study::peel) fn allow_for_start(&mut self, first: &Solution, difference: &Observables) {
         let off = DIFFERENCE_BOUND_FACTOR * (difference.force * first.slope.displacement / first.slope.force).abs();
         if begins_turned(self) && off.is_finite() {
             self.limit_points.iter_mut().for_each(|point| point.displacement_error += off);
@@ -169,7 +174,7 @@ const ADVANCE: f64 = 5.0;
 /// The steady force between the initiation peak and the first jump, on the points `before_jump` of a path that has the peak; where the force is level
 /// nowhere there, on the level segment up to the point `last` on which the front advances furthest. A strip that hangs from its edge has a level
 /// force as well, but its front stays.
-pub(super) fn steady_force(
+pub(in crate::study::peel) fn steady_force(
     problem: &BeamProblem,
     followed: &Followed,
     before_jump: Option<Range<usize>>,

@@ -16,7 +16,7 @@ use crate::solve::problem::Problem;
 use crate::solve::state::{Mesh, Observables, State};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::accuracy::ORDER;
-use crate::study::peel::work::power;
+use crate::study::peel::along_path::work::power;
 use std::collections::VecDeque;
 
 /// Most values that an extrapolation uses.

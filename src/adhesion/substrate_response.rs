@@ -14,8 +14,8 @@
 //!   tt: μ² Ψ_αα - μ Ψ_g - κ'/(1 - κd)³ Ψ_α,   tn = nt: -μ Ψ_gα - μ² Ψ_α,   nn: Ψ_gg,
 //!   tθ: -μ Ψ_αα,   nθ: Ψ_gα,   θθ: Ψ_αα.
 
-use super::Substrate;
 use crate::adhesion::section::line_load::LineLaw;
+use crate::adhesion::substrate::Substrate;
 use crate::number::Real;
 
 /// A line law on ground of any shape.

@@ -1,10 +1,10 @@
 //! The pieces of a profile as a scene writes them.
 
-use super::form::{Entry, Form};
-use super::quantity::Dimension;
-use super::steps::quantity;
-use super::{Fault, Value};
 use crate::error::{nearest, one_line};
+use crate::value::form::{Entry, Form};
+use crate::value::quantity::Dimension;
+use crate::value::steps::quantity;
+use crate::value::{Fault, Value};
 use peelkit::model::{Piece, ProfilePieces, Range, Transition, angle_text};
 
 /// What a list of pieces takes.

@@ -4,7 +4,6 @@
 //! that passes the value the step is solved at the root, the solution joins those that are known, and so on until the quantity has the value to
 //! round-off. The same equilibrium on half as many elements again says how wrong the other numbers are.
 
-use super::measured::Measure;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::error::{Quantity, SolveError};
@@ -15,6 +14,7 @@ use crate::solve::state::PathConstraint;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::{COMPANION_FRACTION, DIFFERENCE_BOUND_FACTOR, ROUND_OFF};
 use crate::study::asked::events::{EventAt, EventQuantity, StationQuantity};
+use crate::study::asked::measured::Measure;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

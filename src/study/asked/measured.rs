@@ -1,6 +1,5 @@
 //! A number of the equilibria of a beam that is to have a value: at a solution, between solutions, and how fast it changes.
 
-use super::fields::Reader;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -8,6 +7,7 @@ use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::state::{Observables, State};
 use crate::study::asked::events::{EventQuantity, StationQuantity};
+use crate::study::states::fields::Reader;
 
 /// Step of a difference of the place of a front, over its scale; of any other number, over the step of the path.
 const BESIDE: f64 = 1e-6;

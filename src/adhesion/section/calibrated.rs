@@ -14,9 +14,9 @@
 //!
 //! So M_c is continuous where the section is upright, unless its edge is pressed.
 
-use super::CohesiveShape;
-use super::at::At;
 use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::section::cohesive::CohesiveShape;
+use crate::adhesion::section::cohesive::at::At;
 use crate::adhesion::section::response::LineResponse;
 use crate::number::Real;
 use crate::number::root::Bracket;
@@ -48,7 +48,7 @@ pub(in crate::adhesion) enum Part {
 impl Part {
     /// Of the shape at the opening t.
     #[inline]
-    pub(super) fn at(self, shape: CohesiveShape, t: f64) -> At {
+    pub(in crate::adhesion) fn at(self, shape: CohesiveShape, t: f64) -> At {
         match (self, t > 0.0) {
             (Self::Whole, _) | (Self::Pull, true) => shape.at(t),
             (Self::Push, true) => [0.0; 3],
@@ -62,7 +62,7 @@ impl Part {
 
     /// The integral from t on of the first number of [`Self::at`].
     #[inline]
-    pub(super) fn primitive(self, shape: CohesiveShape, t: f64) -> f64 {
+    pub(in crate::adhesion) fn primitive(self, shape: CohesiveShape, t: f64) -> f64 {
         match (self, t > 0.0) {
             (Self::Whole, _) | (Self::Pull, true) => shape.primitive(t),
             (Self::Push, true) => 0.0,
@@ -72,7 +72,7 @@ impl Part {
     }
 
     /// Where its pieces join, in the order of the openings.
-    pub(super) fn knots(self, shape: CohesiveShape) -> impl Iterator<Item = f64> {
+    pub(in crate::adhesion) fn knots(self, shape: CohesiveShape) -> impl Iterator<Item = f64> {
         let closed = (self != Self::Whole).then_some(0.0);
         closed.into_iter().chain(shape.knots().iter().copied())
     }
@@ -152,6 +152,7 @@ impl Cohesive {
 mod tests {
     use super::*;
     use crate::adhesion::Rule;
+    use crate::adhesion::section::cohesive::tabulated::{Measured, TractionTable};
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use std::num::NonZeroUsize;
 
@@ -259,5 +260,20 @@ mod tests {
                 assert_eq!(shape.at(t), [0.0; 3], "{shape:?} at {t}");
             }
         }
+    }
+
+    #[test]
+    fn a_law_of_its_rows_has_their_work_strength_and_range() {
+        // two rows are level, and there is a second maximum
+        let openings = vec![0.0, 0.7, 1.0, 2.2, 2.5, 4.0, 5.0, 9.0];
+        let rows = TractionTable::new(openings, vec![0.0, 0.15, 0.2, 0.2, 0.12, 0.13, 0.05, 0.0]).unwrap();
+        let curve = Measured::through(&rows);
+        assert_eq!(curve, Measured::through(&rows.clone()));
+        let half_space = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
+        let law = Cohesive::calibrated(CohesiveShape::Measured(curve), rows.strength(), rows.work(), &half_space);
+        assert_relative_eq!(law.range, 9.0, max_relative = 1e-14);
+        assert_relative_eq!(law.levels(law.closed + 5.0)[1], -0.05, max_relative = 1e-13);
+        // behind the last row nothing pulls, and 1/1000 of the strength a little before
+        assert!((8.5..9.0).contains(&(law.cutoff_distance() - law.closed)), "{law:?}");
     }
 }

@@ -1,8 +1,6 @@
 //! Stations of a path, and events of the user on it: the equilibria at which a quantity has exactly a value that is asked for, on every part of the
 //! path that passes it.
 
-use super::locator::{Bounds, Found, Locator, StationErrors};
-use super::measured::Measure;
 use crate::model::problem::beam_problem::SpatialGrip;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
@@ -11,10 +9,12 @@ use crate::solve::workspace::Workspace;
 use crate::study::asked::accuracy::{Accuracy, aim};
 use crate::study::asked::error_bounds::least;
 use crate::study::asked::events::{EventAt, StationAt, StationQuantity};
+use crate::study::asked::locator::{Bounds, Found, Locator, StationErrors};
+use crate::study::asked::measured::Measure;
+use crate::study::peel::along_path::work::work_at;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
 use crate::study::peel::step_dependence::StepCurve;
-use crate::study::peel::work::work_at;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
