@@ -3,7 +3,7 @@
 
     python3 .ci/house.py                  a table
     python3 .ci/house.py --list [PART]    what it counts, by name
-    python3 .ci/house.py --check          exit status 1 where a part of CLEAN has a glob, an import through a facade or a circle
+    python3 .ci/house.py --check          exit status 1 where something of CLEAN is found
 
 What is counted, of the files `*.rs` of a part (tests inside of files, `#[cfg(test)]`, are left out: they are users):
 
@@ -28,7 +28,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 PARTS = ["src", *sorted(str(d.parent.relative_to(ROOT)) + "/src" for d in ROOT.glob("crates/*/Cargo.toml"))]
-CLEAN = PARTS
+CLEAN = ("long", "wide", "globs", "facades", "circles", "up")
 SHORT, LONG, WIDE = 60, 600, 12
 
 NO_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|b?r(#+)".*?"\1|b?r"[^"]*"|b?"(?:\\.|[^"\\])*"|b?\'(?:\\[^\n\']+|\\\'|[^\\\'\n])\'', re.S)
@@ -234,10 +234,9 @@ def main() -> int:
     arguments = sys.argv[1:]
     if arguments[:1] == ["--check"]:
         bad = [
-            f"{part}: {what}: {one}" for part in CLEAN for what, found in count(ROOT / part).items()
-            if what in ("globs", "facades", "circles") for one in found
+            f"{part}: {what}: {one}" for part in PARTS for what, found in count(ROOT / part).items() if what in CLEAN for one in found
         ]
-        print("\n".join(bad) or f"no glob, no import through a facade and no circle in {', '.join(CLEAN)}")
+        print("\n".join(bad) or f"nothing of {', '.join(CLEAN)} in {', '.join(PARTS)}")
         return 1 if bad else 0
     if arguments[:1] == ["--list"]:
         for part in arguments[1:] or PARTS:

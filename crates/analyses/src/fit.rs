@@ -1,7 +1,7 @@
 //! Parameters of a scene from a measured force-displacement curve, or from steady forces against a key.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::pulls::Pulls;
+use crate::pulls::numbers::Pulls;
 use crate::session::{Parts, Session};
 use peelkit::model::Body;
 use peelkit::study::{

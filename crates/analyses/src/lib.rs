@@ -11,11 +11,8 @@ mod fit;
 mod optimise;
 mod outcome;
 mod pulls;
-mod rate;
 mod run;
 mod session;
-mod seta;
-mod solid;
 mod sweep;
 mod uncertainty;
 

@@ -1,7 +1,7 @@
 //! The best design of a scene that says what is free.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::pulls::{Meter, Pulls};
+use crate::pulls::numbers::{Meter, Pulls};
 use crate::session::{Parts, Progress, Session};
 use peelkit::study::optimisation::{
     DesignNumber, DesignProblem, Evaluation, NoOptimum, NumberBy, Objective, OptimisationOptions, Optimum, optimise,

@@ -1,7 +1,7 @@
 //! Keys of a scene that have distributions, sampled and propagated.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::pulls::{Pulls, SampledPull, WithKnown};
+use crate::pulls::numbers::{Pulls, SampledPull, WithKnown};
 use crate::session::{Parts, Progress, Session};
 use peelkit::study::StopCriteria;
 use peelkit::study::uncertainty::{

@@ -2,9 +2,9 @@
 
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::rate::{pull_beam, pull_seta};
+use crate::pulls::rate::{pull_beam, pull_seta};
+use crate::pulls::seta;
 use crate::session::Session;
-use crate::seta;
 use peelkit::model::{PullCurve, Seta};
 use peelkit::study::{self, InTimeFailureKind, Peel, SetaInTime, SetaInTimeFailureKind, SetaPullOff, StopCriteria};
 use peelkit_report::{self as report, Equilibria, PassedAt, PulledAtRate, RateSummary, ReportError, timed};

@@ -2,8 +2,8 @@
 
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::pulls::solid::peeled;
 use crate::session::Session;
-use crate::solid::peeled;
 use peelkit::adhesion::HalfSpace;
 use peelkit::model::LongElements;
 use peelkit::study::{SolidPathEnd, SolidPeel, StationQuantity};

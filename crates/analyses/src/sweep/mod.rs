@@ -12,10 +12,10 @@ pub use failed::place;
 pub use outcome::{Rows, SweepOutcome};
 
 use crate::outcome::{Analysis, Refusal};
-use crate::rate::pull_at_rate;
+use crate::pulls::rate::pull_at_rate;
+use crate::pulls::seta::Setae;
+use crate::pulls::solid::peeled;
 use crate::session::Session;
-use crate::seta::Setae;
-use crate::solid::peeled;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind, SetaResult};
 use peelkit_report::{

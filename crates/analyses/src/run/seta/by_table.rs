@@ -3,7 +3,7 @@
 use super::follow::{ByTable, Followed, KeptSeta, follow};
 use super::sampler::Sampler;
 use crate::outcome::Refusal;
-use crate::seta::{NoTable, TipLawOf, model};
+use crate::pulls::seta::{NoTable, TipLawOf, model};
 use peelkit::model::{PullCurve, SetaError, SetaModel};
 use peelkit::study::coarsening::{AfterRound, CoarseningError, OutsideTable};
 use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, SetaPoint, StopCriteria};

@@ -6,8 +6,8 @@ mod sampler;
 
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::pulls::seta::{TipLawOf, options, tip_curve};
 use crate::session::{Progress, Session};
-use crate::seta::{TipLawOf, options, tip_curve};
 use by_table::{Pull, Pulled};
 use follow::{Followed, KeptSeta};
 use peelkit::model::{PullCurve, SetaModel};

@@ -1,10 +1,10 @@
 //! Numbers and curves of scenes that are no peel of a beam in equilibrium: the peel of a solid, the pull-off of a seta, and a pull at a rate, of a beam or of a seta. Who
 //! samples, optimises or fits such scenes asks here, and does not ask which of these they are.
 
-use crate::rate::pull_at_rate;
+use crate::pulls::rate::pull_at_rate;
+use crate::pulls::seta::Setae;
+use crate::pulls::solid::peeled;
 use crate::session::{Cost, Parts, Progress, Session};
-use crate::seta::Setae;
-use crate::solid::peeled;
 use peelkit::study::uncertainty::{Outcome, Sampled};
 use peelkit::study::{
     Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, SolidPathEnd, SolidPeel, Stage, StopCriteria, StopReason,

@@ -1,6 +1,6 @@
 //! What pulls at a rate have in common: the pull of a beam, or of a seta, as far as it goes.
 
-use crate::seta::Setae;
+use crate::pulls::seta::Setae;
 use peelkit::model::SetaModel;
 use peelkit::study::{
     InTimeFailureKind, PullInTime, SetaInTime, SetaInTimeFailureKind, StopCriteria, pull_in_time_with,
