@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let mut model = SetaModel::new(seta, law);
     if is("paper") {
-        model.mesh = SetaMesh::of_the_paper(seta.forks);
+        model.mesh = SetaMesh::of_the_paper(model.seta.forks);
     }
     if let Some(order) = number("order") {
         model.mesh.order = order as usize;
@@ -70,7 +70,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let loading = match number("preload") {
         None => SetaLoading::pull(direction, 60_000.0),
-        Some(preload) => SetaLoading::pressed_and_dragged(2.0 * seta.height_scatter + 1.0, preload, 0.0, 60_000.0),
+        Some(preload) => {
+            SetaLoading::pressed_and_dragged(2.0 * model.seta.height_scatter + 1.0, preload, 0.0, 60_000.0)
+        }
     };
     let begun = Instant::now();
     let pulled = pull_off(&model, &loading, &options, &StopCriteria::default())?;

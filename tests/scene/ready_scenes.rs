@@ -42,6 +42,9 @@ fn every_example_that_messages_give_is_right() {
             "seta" if ["tip_table", "tip_tolerance", "resolve_within"].contains(&key.name) => {
                 SETA.replace("[seta]", "[seta]\ntip_law = \"table\"")
             }
+            "seta" if ["fork_heights", "diameters"].contains(&key.name) => {
+                SETA.replace("[seta]", "[seta]\nbranches = [2, 2, 2]")
+            }
             "seta" => SETA.to_owned(),
             "setae" if key.name == "last_reach" => "[setae]\nreach = \"5 um\"\n[lamella]\n".to_owned(),
             "setae" | "lamella" => "[setae]\n[lamella]\n".to_owned(),

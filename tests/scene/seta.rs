@@ -48,6 +48,50 @@ fn the_ready_seta_shows_every_key_with_its_default() {
     }
 }
 
+/// Three branches, each with two tips.
+const TREE: &str = "1 0 0 30 0 1 -1\n2 0 0 9 0 1 1\n3 0 -2 0 0 0.4 2\n4 0 2 0 0 0.4 2\n5 0 0 0.3 1 0.4 2\n";
+
+#[test]
+fn a_seta_branches_by_lists_or_as_a_tree() {
+    let with = |lines: &str| SETA.replace("[seta]", &format!("[seta]\n{lines}"));
+    let lists = "branches = [3, 2]\nfork_heights = [\"28 um\", \"1.2345678901 um\"]\ndiameters = [\"4 um\", \"2 um\", \"0.7 um\"]\n";
+    let scene = parse(&with(lists));
+    let seta = &scene.seta.as_ref().unwrap().seta;
+    assert_eq!((&seta.branches[..], &seta.diameters[..]), (&[3, 2][..], &[4e3, 2e3, 700.0][..]));
+    assert_eq!((seta.tips(), seta.joint_place(2)[1], seta.branch_diameter(5)), (6, 1234.5678901, 700.0));
+    assert_eq!(parse(&scene.to_toml()), scene);
+    let drawn = parse(&with(&format!("tree = \"\"\"\n{TREE}\"\"\"\n")));
+    let seta = &drawn.seta.as_ref().unwrap().seta;
+    assert_eq!((seta.tips(), seta.levels(), seta.spread()), (3, 1, 300.0));
+    assert_eq!(parse(&drawn.to_toml()), drawn);
+    // the pull ends where the root has moved by the longest way to a tip
+    let SetaLoading { steps, .. } = drawn.seta_loading(drawn.seta.as_ref().unwrap());
+    let longest = 21e3 + 2e3f64.hypot(9e3);
+    assert!(
+        matches!(steps[..], [SetaStep { until: StepEnd::Detached(most), .. }] if (most / longest - 1.0).abs() < 1e-12)
+    );
+
+    for (lines, said) in [
+        ("forks = 2\nbranches = [2, 2]", "`seta.forks` is given beside `seta.branches`, and the seta has one geometry"),
+        ("brush_height = \"9 um\"\nforks = 1\nfork_heights = [\"9 um\"]", "is given beside `seta.fork_heights`"),
+        ("diameter_ratio = 0.5\nforks = 1\ndiameters = [\"4 um\", \"2 um\"]", "is given beside `seta.diameters`"),
+        ("fork_heights = [\"9 um\"]", "has 1 numbers, and a way from the root to a tip of the seta 8 forks"),
+        ("branches = [2, 2.5]", "has 2.5, no whole number from 1 to 64"),
+        ("branches = 3", "is 3, no list"),
+        ("branches = []", "is an empty list"),
+        ("forks = 1\nfork_heights = [\"9 GPa\"]", "no positive length with its unit"),
+        ("branches = [64, 64, 2]", "end in 8192 tips: give branches for at most 4096"),
+    ] {
+        refused(&with(lines), &[], said);
+    }
+    let tree = |text: &str| with(&format!("tree = \"\"\"\n{text}\"\"\"\ntip_pitch = \"1 um\"\n"));
+    refused(&tree(TREE), &[], "`seta.tip_pitch` is given beside `seta.tree`");
+    refused(&tree(&TREE.replace("0 0.3 1", "0 x 1")), &[], "has in line 5 y = x, which is no number");
+    refused(&with("tree = \"no.swc\""), &[], "names the file no.swc, which cannot be read");
+    let error = Scene::parse_without_files("a", &with("tree = \"no.swc\""), &[]).unwrap_err().to_string();
+    assert!(error.contains("names a file, and this scene is read without files"), "{error}");
+}
+
 #[test]
 fn the_root_goes_where_the_scene_says() {
     let text = format!(

@@ -12,7 +12,7 @@ use crate::key::table::{
 use crate::scene::Scene;
 use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
 use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
-use crate::tables::{fit, optimise, output, rate, seta, solid, uncertainty};
+use crate::tables::{branching, fit, optimise, output, rate, seta, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -171,15 +171,19 @@ pub static KEYS: &[Key] = &[
     number(&PROFILE, "bending_stiffness_factor", Optional, |s| &mut profile(s).material.bending_stiffness_factor, "multiplies the bending stiffness EI alone").titled("bending stiffness over that of the section", "EI/EI₀"),
 
     key(&SETA, "forks", Optional, Kind::Count(MOST_FORKS, |s| &mut s.seta_table().seta.forks), "forks from root to tip: 2^forks tips").titled("forks from root to tip", "n"),
+    key(&SETA, "branches", Optional, Kind::Setting(&branching::BRANCHES), "branches behind each fork, in place of forks in two"),
     key(&SETA, "tip_pitch", Optional, Kind::Quantity(Length, |s| &mut s.seta_table().seta.tip_pitch), "distance of neighbouring tips on their grid").titled("distance of neighbouring tips", ""),
     key(&SETA, "shaft_length", Optional, Kind::Quantity(Length, |s| &mut s.seta_table().seta.shaft_length), "length from the root to the first fork").titled("length of the shaft", ""),
     key(&SETA, "shaft_angle", Optional, Kind::Measure(Angle, Range::SETA_ANGLE, |s| &mut s.seta_table().seta.shaft_angle), "angle of the shaft to the normal of the ground").titled("angle of the shaft to the normal", ""),
     key(&SETA, "shaft_diameter", Optional, Kind::Quantity(Length, |s| &mut s.seta_table().seta.shaft_diameter), "diameter of the shaft").titled("diameter of the shaft", "d"),
+    key(&SETA, "diameters", Optional, Kind::Setting(&branching::DIAMETERS), "diameters of shaft and branches, in place of a ratio"),
     key(&SETA, "brush_height", Optional, Kind::Quantity(Length, |s| &mut s.seta_table().seta.brush_height), "height of the first fork above the tips").titled("height of the brush", "H"),
+    key(&SETA, "fork_heights", Optional, Kind::Setting(&branching::FORK_HEIGHTS), "heights of the forks above the tips, in place of q"),
     key(&SETA, "brush_angle", Optional, Kind::Measure(Angle, Range::SETA_ANGLE, |s| &mut s.seta_table().seta.brush_angle), "angle of the brush to the normal of the ground").titled("angle of the brush to the normal", ""),
     key(&SETA, "height_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut s.seta_table().seta.height_ratio), "q: fork k stands at H (q^k - q^n)/(1 - q^n)").titled("ratio of the heights of forks", "q"),
     key(&SETA, "diameter_ratio", Optional, Kind::Number(Range::Between(0.0, 1.0), |s| &mut s.seta_table().seta.diameter_ratio), "diameter of a branch over that of its parent").titled("ratio of the diameters of branches", ""),
     key(&SETA, "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut s.seta_table().seta.height_scatter), "half the range of the heights of the tips").titled("half the range of the heights of tips", "a"),
+    key(&SETA, "tree", Optional, Kind::Setting(&branching::TREE), "the whole tree, in place of its geometry by levels"),
     key(&SETA, "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.seta_table().lateral_stiffness), "stiffness that holds tips; none: they slide").titled("stiffness that holds attached tips", "k"),
     key(&SETA, "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut s.seta_table().contact_height), "height at which a detached tip adheres again").titled("height at which a detached tip adheres again", ""),
     key(&SETA, "preload", Optional, Kind::Bound(Force, |s| &mut s.seta_table().preload), "presses the seta on first; none: it adheres").titled("preload", ""),

@@ -44,5 +44,6 @@ pub use tables::output::{event, station};
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};
+pub use value::swc::{SwcError, parse_swc};
 pub use value::table::{CsvError, parse_heights, parse_profile};
 pub use value::traction::parse_tractions;

@@ -4,3 +4,4 @@ mod geometry;
 pub(crate) mod normal_pull;
 pub(crate) mod parameters;
 pub(crate) mod tip_law;
+pub(crate) mod whole_tree;

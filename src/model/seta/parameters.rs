@@ -14,6 +14,7 @@
 //! A choice within the ranges of the literature, as neither the paper nor the papers that it cites give the geometry.
 
 use super::tip_law::TipLaw;
+use super::whole_tree::SetaTree;
 use crate::beam::element::basis::MOST_ORDER;
 use crate::beam::section::Material;
 use serde::{Deserialize, Serialize};
@@ -21,10 +22,24 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
 use std::sync::Arc;
 
 /// Geometry and material of a seta. Lengths in nm, angles in rad.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+///
+/// What lists say level by level, and what a tree says whole, stands in place of the numbers from which it follows otherwise.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Seta {
     /// n: how often a way from the root to a tip forks, 0 to 12; there are 2ⁿ tips.
     pub forks: usize,
+    /// Branches behind each fork, from the shaft on; empty: two behind each of `forks`
+    #[serde(default)]
+    pub branches: Vec<usize>,
+    /// Heights of the forks above the plane of the tips, from the shaft on; empty: by `brush_height` and `height_ratio`
+    #[serde(default)]
+    pub fork_heights: Vec<f64>,
+    /// Diameters of the shaft, and of a branch behind each fork; empty: by `shaft_diameter` and `diameter_ratio`
+    #[serde(default)]
+    pub diameters: Vec<f64>,
+    /// All joints, in place of every number of the geometry; none: a seta by levels
+    #[serde(default)]
+    pub tree: Option<Arc<SetaTree>>,
     /// Distance of a tip from the next one on their square grid
     pub tip_pitch: f64,
     /// Of the part between the root and the first fork
@@ -52,6 +67,10 @@ impl Default for Seta {
     fn default() -> Self {
         Self {
             forks: 8,
+            branches: Vec::new(),
+            fork_heights: Vec::new(),
+            diameters: Vec::new(),
+            tree: None,
             tip_pitch: 1000.0,
             shaft_length: 70_000.0,
             shaft_angle: FRAC_PI_3,
@@ -80,7 +99,7 @@ pub struct SetaModel {
 impl SetaModel {
     /// On the default mesh.
     pub fn new(seta: Seta, law: Arc<dyn TipLaw>) -> Self {
-        Self { mesh: SetaMesh::usual(seta.forks), seta, law }
+        Self { mesh: SetaMesh::usual(seta.levels()), seta, law }
     }
 }
 
@@ -124,8 +143,8 @@ impl SetaMesh {
         if self.order < MOST_ORDER { Self { order: self.order + 1, ..self.clone() } } else { self.divided(2) }
     }
 
-    /// Elements of all branches: 2ᵏ branches behind fork k.
-    pub fn total(&self) -> usize {
-        self.elements.iter().enumerate().map(|(k, n)| n << k).sum()
+    /// Elements of all branches of a seta.
+    pub fn total(&self, seta: &Seta) -> usize {
+        (1..seta.joints()).map(|joint| self.elements[seta.generation(joint)]).sum()
     }
 }

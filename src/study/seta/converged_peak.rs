@@ -160,7 +160,7 @@ fn begin(
 
 /// The nodes of a tree where the branches of a state lie.
 fn laid_along(standing: &Standing, seta: &Seta, state: &SetaState) -> State {
-    let axes: Vec<_> = (1..2 * seta.tips()).map(|joint| state.axis(seta, joint)).collect();
+    let axes: Vec<_> = (1..seta.joints()).map(|joint| state.axis(seta, joint)).collect();
     let joint = |joint: usize| (state.joints[joint].place, state.joints[joint].directors);
     let section = |branch: usize, s: f64| {
         let (place, directors) = axes[branch].at(s / axes[branch].length);

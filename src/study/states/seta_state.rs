@@ -121,24 +121,25 @@ impl SetaState {
         Self {
             point: SetaPoint::default(),
             location: None,
-            joints: (0..2 * seta.tips()).map(joint).collect(),
-            between: vec![Vec::new(); 2 * seta.tips() - 1],
+            joints: (0..seta.joints()).map(joint).collect(),
+            between: vec![Vec::new(); seta.joints() - 1],
             tips: (0..seta.tips()).map(tip).collect(),
         }
     }
 
     /// All branches: branch b ends at joint b + 1.
     pub fn branches(&self, seta: &Seta) -> Vec<SetaBranch> {
-        (1..2 * seta.tips()).map(|joint| self.branch(seta, joint)).collect()
+        (1..seta.joints()).map(|joint| self.branch(seta, joint)).collect()
     }
 
     /// Of the branch that ends at a joint: its axis.
     pub(in crate::study) fn axis(&self, seta: &Seta, joint: usize) -> Axis {
-        let (near, far) = (self.joints[joint / 2], self.joints[joint]);
+        let parent = seta.parent(joint);
+        let (near, far) = (self.joints[parent], self.joints[joint]);
         // from the directors of the joint to those of the branch: as they are at rest
-        let angle = product(conjugate(seta.directors(joint / 2)), seta.directors(joint));
+        let angle = product(conjugate(seta.directors(parent)), seta.directors(joint));
         let from = product(near.directors, angle);
-        let length = (place(seta.joint_place(joint)) - place(seta.joint_place(joint / 2))).norm();
+        let length = (place(seta.joint_place(joint)) - place(seta.joint_place(parent))).norm();
         let near = JointPlace { directors: from, ..near };
         let places: Vec<_> = [near].into_iter().chain(self.between[joint - 1].iter().copied()).chain([far]).collect();
         let piece = |ends: &[JointPlace]| Cubic::new([ends[0], ends[1]], length / (places.len() - 1) as f64);
@@ -147,9 +148,8 @@ impl SetaState {
 
     /// The branch that ends at a joint.
     fn branch(&self, seta: &Seta, joint: usize) -> SetaBranch {
-        let generation = joint.ilog2() as usize;
-        let ahead = seta.forks - generation;
-        let behind = (joint << ahead) - seta.tips()..((joint + 1) << ahead) - seta.tips();
+        let generation = seta.generation(joint);
+        let behind = seta.tips_behind(joint);
         let axis = self.axis(seta, joint);
         let count = LINES[generation.min(LINES.len() - 1)];
         let sections = (0..=count).map(|k| {
@@ -164,9 +164,9 @@ impl SetaState {
         });
         SetaBranch {
             generation,
-            radius: 0.5 * seta.diameter(generation),
+            radius: 0.5 * seta.branch_diameter(joint),
             sections: sections.collect(),
-            tip: (generation == seta.forks).then(|| joint - seta.tips()),
+            tip: seta.tip_at(joint),
             attached: behind.clone().any(|tip| self.tips[tip].on.adheres()),
         }
     }

@@ -96,7 +96,7 @@ fn a_seta_is_pulled_off_once_more_with_its_detaching_tips_resolved() {
     let bound = 2.0 * table.attached_errors.force[0];
     let growing = GrowingTable::of(&spatula(), table);
     let seta = Seta { forks: 1, ..Seta::default() };
-    let of = |law: Arc<dyn TipLaw>| SetaModel::new(seta, law);
+    let of = |law: Arc<dyn TipLaw>| SetaModel::new(seta.clone(), law);
     let loading = SetaLoading::pull([0.0, 1.0, 0.0], 60_000.0);
     let options = SetaOptions { balance: 1e-6, ..SetaOptions::default() };
     let mut growing = growing.resolved(WITHIN).unwrap();

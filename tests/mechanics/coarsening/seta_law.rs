@@ -97,7 +97,7 @@ fn pulls(model: &SetaModel, degrees: &[f64], most: f64) -> Vec<RootPath> {
 fn one_straight_shaft_has_the_stiffness_and_the_plane_of_the_closed_form() {
     let seta = shaft();
     let law = NormalPull { curve: brittle(), sideways: Sideways::Held(SPRING), contact_height: 0.0 };
-    let model = SetaModel::new(seta, Arc::new(law));
+    let model = SetaModel::new(seta.clone(), Arc::new(law));
     let law = SetaLaw::fitted(&pulls(&model, &[10.0, 30.0, 60.0, 85.0, 105.0], 1000.0), 3).unwrap();
     let known = stiffness(&seta);
     let normal = known * Vector2::new(0.0, 1.0);

@@ -51,7 +51,7 @@ fn ten_thousand_steps_do_not_drift() {
 fn some_tips_are_pushed_in_while_others_pull() {
     let scattered = Seta { height_scatter: 60.0, ..small() };
     let run = pulled(
-        &model(scattered, Sideways::Free),
+        &model(scattered.clone(), Sideways::Free),
         SetaStart::Adhering,
         &[along_normal(-1.0, StepEnd::Travel(20.0)), along_normal(1.0, StepEnd::Detached(5000.0))],
     );

@@ -1,5 +1,6 @@
 //! Setae: the curve of a tip, a small tree on the ground against shooting, events, balance of work and energy, resumption.
 
+mod branching;
 mod converged_peak;
 mod four_tips;
 mod hard;

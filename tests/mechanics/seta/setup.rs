@@ -49,7 +49,7 @@ pub fn small() -> Seta {
 /// On elements of order 6, three a branch.
 pub fn model(seta: Seta, sideways: Sideways) -> SetaModel {
     let law = NormalPull { curve: curve(), sideways, contact_height: 0.0 };
-    let mesh = SetaMesh { order: 6, elements: vec![3; seta.forks + 1] };
+    let mesh = SetaMesh { order: 6, elements: vec![3; seta.levels() + 1] };
     SetaModel { mesh, ..SetaModel::new(seta, Arc::new(law)) }
 }
 

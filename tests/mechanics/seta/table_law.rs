@@ -178,7 +178,7 @@ fn a_table_grows_until_no_tip_leaves_it() {
     let table_options = options;
     let mut growing = GrowingTable::new(&model, &table_options).unwrap();
     let seta = Seta { forks: 4, ..Seta::default() };
-    let of = |law: Arc<dyn TipLaw>| SetaModel::new(seta, law);
+    let of = |law: Arc<dyn TipLaw>| SetaModel::new(seta.clone(), law);
     let loading = SetaLoading::pull([0.0, 1.0, 0.0], 60_000.0);
     let options = SetaOptions { balance: 1e-6, ..SetaOptions::default() };
     let stop = StopCriteria::default();

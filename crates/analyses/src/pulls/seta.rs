@@ -125,7 +125,7 @@ impl TipLawOf {
 
 /// The seta of a scene, whose tips follow this law.
 pub fn model(scene: &Scene, table: &SetaTable, law: Arc<dyn TipLaw>) -> SetaModel {
-    let mut model = SetaModel::new(table.seta, law);
+    let mut model = SetaModel::new(table.seta.clone(), law);
     model.mesh.order = scene.accuracy.choice.order.unwrap_or(model.mesh.order);
     model
 }

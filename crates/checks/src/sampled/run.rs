@@ -200,7 +200,7 @@ fn pulled_off(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Found {
     let options = SetaOptions { balance: scene.accuracy.relative, ..SetaOptions::default() };
     let curve = tip_curve(&scene.tip_model(), &scene.accuracy, TIP_PRESSED).map_err(|error| error.to_string());
     let pulled = curve.and_then(|curve| {
-        let model = SetaModel::new(table.seta, table.law(curve));
+        let model = SetaModel::new(table.seta.clone(), table.law(curve));
         pull_off(&model, &scene.seta_loading(table), &options, stop).map_err(|error| error.to_string())
     });
     let (end, reason) = match pulled.map(|pulled| pulled.end) {

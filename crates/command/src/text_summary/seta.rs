@@ -45,7 +45,7 @@ pub fn seta(
     let of_tip = tip_peak(tip);
     let events = TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..]));
     let mut lines = vec![
-        ("seta", format!("{counted}, {} elements of order {}", model.mesh.total(), model.mesh.order)),
+        ("seta", format!("{counted}, {} elements of order {}", model.mesh.total(&model.seta), model.mesh.order)),
         ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
     ];
     lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));

@@ -5,6 +5,7 @@ use super::table::{ADHESION, SETA, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
+use crate::tables::branching::in_place_of;
 use peelkit::model::{Body, ProfileForm};
 
 /// Why a scene may not hold a key.
@@ -23,8 +24,8 @@ enum Misfit {
     Law,
     /// It follows from the table of the law.
     OfTable,
-    /// Its beam has another key in place of this one.
-    Beside(&'static str),
+    /// Its beam, or its seta, has another key in place of this one.
+    Beside(&'static str, &'static str),
 }
 
 impl Key {
@@ -50,6 +51,11 @@ impl Key {
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
         }
+        if self.table == SETA.name
+            && let Some(other) = in_place_of(scene, self.name)
+        {
+            return Some(Misfit::Beside(other, "seta"));
+        }
         let law = scene.model.adhesion.attraction;
         match (self.table == ADHESION.name, &self.kind) {
             (true, Kind::Tractions(_)) if law.table().is_none() => return Some(Misfit::Law),
@@ -61,9 +67,9 @@ impl Key {
         // a profile takes a table or pieces, and not both
         let Body::Profile(profile) = &scene.model.body else { return None };
         match (&self.kind, &profile.form) {
-            (Kind::Table(_), ProfileForm::Pieces(_)) => Some(Misfit::Beside("pieces")),
+            (Kind::Table(_), ProfileForm::Pieces(_)) => Some(Misfit::Beside("pieces", "beam")),
             (Kind::Pieces(_), ProfileForm::Table(_)) if !scene.table_texts.profile.is_empty() => {
-                Some(Misfit::Beside("table"))
+                Some(Misfit::Beside("table", "beam"))
             }
             _ => None,
         }
@@ -138,8 +144,8 @@ impl Key {
                 "is given beside `law` = \"table\", from whose rows it follows",
                 format!("Remove `{name}`, or use another `law`."),
             ),
-            Misfit::Beside(other) => ValueError::new(
-                format!("is given beside `{table}.{other}`, and the beam has one geometry"),
+            Misfit::Beside(other, body) => ValueError::new(
+                format!("is given beside `{table}.{other}`, and the {body} has one geometry"),
                 format!("Remove one of `{name}` and `{other}`."),
             ),
         }

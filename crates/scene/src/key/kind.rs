@@ -1,7 +1,7 @@
 //! One key of a scene: what it takes, and where in a scene its value goes.
 
 use super::choice::Choice;
-use super::table::Table;
+use super::table::{SETA, Table};
 use crate::scene::Scene;
 use crate::value::form::Form;
 use crate::value::quantity::Dimension;
@@ -140,7 +140,8 @@ impl Key {
 
     /// Whether its value may be the name of a file.
     pub(crate) fn reads_a_file(&self) -> bool {
-        matches!(self.kind, Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_))
+        let is_tree = (self.table, self.name) == (SETA.name, "tree");
+        matches!(self.kind, Kind::Table(_) | Kind::Heights(_) | Kind::Tractions(_)) || is_tree
     }
 
     /// Whether its values are TOML strings.

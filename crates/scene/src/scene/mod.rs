@@ -54,7 +54,7 @@ pub struct Scene {
     pub table_texts: TableTexts,
 }
 
-/// The texts of a scene's tables, in CSV: what the model holds of them are numbers alone, and a summary reports them as they were
+/// The texts of a scene's tables, in CSV or SWC: what the model holds of them are numbers alone, and a summary reports them as they were
 /// written. Each is empty where the scene has no such table.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TableTexts {
@@ -64,12 +64,14 @@ pub struct TableTexts {
     pub substrate: String,
     /// Of `adhesion.table`.
     pub law: String,
+    /// Of `seta.tree`.
+    pub tree: String,
 }
 
 impl TableTexts {
     /// Whether the scene has no table.
     pub fn is_empty(&self) -> bool {
-        [&self.profile, &self.substrate, &self.law].into_iter().all(String::is_empty)
+        [&self.profile, &self.substrate, &self.law, &self.tree].into_iter().all(String::is_empty)
     }
 }
 

@@ -75,7 +75,7 @@ impl SetaTable {
 
     /// From its tips to its root, upright, nm: how far the root is moved at most.
     pub(crate) fn height(&self) -> f64 {
-        self.seta.shaft_length + self.seta.brush_height
+        self.seta.reach()
     }
 
     /// How it starts: adhering, or above the ground where it is pressed on first.
@@ -86,7 +86,7 @@ impl SetaTable {
         };
         match self.preload {
             None => SetaStart::Adhering,
-            Some(_) => SetaStart::Above(2.0 * self.seta.height_scatter + self.contact_height + clearance),
+            Some(_) => SetaStart::Above(self.seta.spread() + self.contact_height + clearance),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod array;
 mod bounded;
+pub(crate) mod branching;
 pub(crate) mod fit;
 pub(crate) mod measured;
 pub(crate) mod optimise;

@@ -72,7 +72,8 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     let seta = &table.seta;
     if let Err(error) = seta.check() {
         let key = match &error {
-            SetaError::OutOfRange { key, .. } => key,
+            SetaError::OutOfRange { key, .. } | SetaError::Levels { key, .. } => key,
+            SetaError::Tips { .. } => "branches",
             SetaError::Scatter { .. } => "height_scatter",
             _ => "forks",
         };

@@ -3,6 +3,7 @@
 pub(crate) mod form;
 pub(crate) mod quantity;
 pub(crate) mod steps;
+pub(crate) mod swc;
 pub(crate) mod table;
 pub(crate) mod traction;
 mod unit;

@@ -4,6 +4,7 @@ use crate::error::one_line;
 use csv::StringRecord;
 use peelkit::adhesion::{Heights, HeightsError, TractionTableError};
 use peelkit::model::{ProfileColumns, ProfileTable, TableError};
+use std::fmt::Display;
 use std::fs;
 use std::path::Path;
 
@@ -219,9 +220,13 @@ pub(crate) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), 
     read(name, text, parse_heights)
 }
 
-/// Reads a table from a CSV of several lines, or from the file that a text of one line names, beside the scene `name`. The error
+/// Reads a table from a text of several lines, or from the file that a text of one line names, beside the scene `name`. The error
 /// says what was found.
-pub(super) fn read<T>(name: &str, text: &str, parse: fn(&str) -> Result<T, CsvError>) -> Result<(T, String), String> {
+pub(super) fn read<T, E: Display>(
+    name: &str,
+    text: &str,
+    parse: fn(&str) -> Result<T, E>,
+) -> Result<(T, String), String> {
     if text.contains('\n') {
         return parse(text).map(|table| (table, text.to_owned())).map_err(|error| error.to_string());
     }

@@ -1,6 +1,7 @@
 //! The beam along the path, or a seta along its pull-off, as whole numbers, and the ground below it.
 
 use crate::run::curve::pulled;
+use peelkit::model::Seta;
 use peelkit::study::{Peel, SetaBranch, SolidPeel, SolidPoint};
 use peelkit_analyses::{RunOutcome, SetaOutcome};
 use peelkit_report::{Pose, PulledAtRate};
@@ -24,12 +25,12 @@ const STATES: usize = 40;
 /// How many states of the seta of a scene are shown; none of a beam.
 pub(crate) fn shown_states(scene: &Scene) -> Option<u32> {
     let Described::Seta(table) = scene.describes() else { return None };
-    Some(states_of(table.seta.forks) as u32)
+    Some(states_of(&table.seta) as u32)
 }
 
-/// How many states of a seta with so many forks are shown.
-fn states_of(forks: usize) -> usize {
-    (BRANCHES >> (forks + 1)).clamp(2, STATES)
+/// How many states of a seta are shown.
+fn states_of(seta: &Seta) -> usize {
+    (BRANCHES / seta.joints()).clamp(2, STATES)
 }
 
 /// The beam along the path.
@@ -111,7 +112,7 @@ impl Poses {
     fn of_seta(found: &SetaOutcome) -> Self {
         let seta = &found.model.seta;
         let last = pulled(found.pull_off()).next().map(|point| point.step);
-        let states = found.states(states_of(seta.forks)).into_iter().filter(|state| Some(state.point.step) == last);
+        let states = found.states(states_of(seta)).into_iter().filter(|state| Some(state.point.step) == last);
         let states: Vec<_> = states.map(|state| (state.point, state.branches(seta))).collect();
         let [low, high] = corners(states.iter().flat_map(|(_, branches)| branches).flat_map(side));
         let extent = extent(low, high);

@@ -117,7 +117,7 @@ pub fn write_seta_animation(
         poses: states.iter().map(|state| SetaPose::of(state, seta)).collect(),
         curve: travels.iter().copied().zip(pull_off.points.iter().map(|point| point.force_along)).collect(),
         tips: (0..seta.tips()).map(|tip| seta.joint_place(seta.tip_joint(tip))).map(|[x, _, z]| (x, z)).collect(),
-        pitch: seta.tip_pitch,
+        pitch: seta.tip_distance(),
         title,
     };
     write_whole(&path, page(&playback).as_bytes())?;

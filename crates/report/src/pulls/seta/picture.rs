@@ -69,7 +69,7 @@ fn maps(moments: &[(&str, &SetaState)], seta: &Seta, title: &str) -> Picture {
     let title = format!(
         "{title}\nLoad of each tip on its stress-free place, at three moments of the pull: vermillion pulled, blue pushed, a cross where it is detached."
     );
-    load_map(&places, seta.tip_pitch / MICRO, &moments, &title)
+    load_map(&places, seta.tip_distance() / MICRO, &moments, &title)
 }
 
 /// The whole seta beside where it was stress-free, and its tips.
