@@ -46,6 +46,7 @@ const TEMPLATES: &[Template] = templates![
     "spatula" "a gecko's spatula: a flat pad on a round, bent shaft",
     "profile" "a beam of any outline, given piece by piece",
     "seta" "a gecko's seta: a shaft that forks into 256 spatulae",
+    "seta-tree" "a seta drawn joint by joint, of 13 tips",
     "patch" "3600 setae on a rigid backing, event by event",
     "lamella" "an elastic band on 60 rows of setae, lifted at its end",
     "toe" "a pad with 12 lamellae",
