@@ -188,7 +188,10 @@ impl Seta {
         let mut parted = [1, 1];
         let of = |level| {
             let branches: usize = self.branches_at(level);
-            let few = (1..=branches).take_while(|few| few * few <= branches).filter(|few| branches % few == 0).last();
+            let few = (1..=branches)
+                .take_while(|few| few * few <= branches)
+                .filter(|few| branches.is_multiple_of(*few))
+                .last();
             let few = few.unwrap_or(1);
             let own = if parted[0] <= parted[1] { [branches / few, few] } else { [few, branches / few] };
             parted = [parted[0] * own[0], parted[1] * own[1]];
