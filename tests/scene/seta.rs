@@ -84,6 +84,20 @@ fn a_seta_branches_by_lists_or_as_a_tree() {
     ] {
         refused(&with(lines), &[], said);
     }
+    // by an override they take the place of what the text says
+    let whole = "forks = 4\nshaft_diameter = \"3 um\"\ndiameter_ratio = 0.5\nbrush_height = \"20 um\"";
+    for (path, value, tips) in [
+        ("seta.branches", "[3, 2]", 6),
+        ("seta.tree", TREE, 3),
+        ("seta.diameters", "[\"2 um\", \"1 um\", \"1 um\", \"1 um\", \"1 um\"]", 16),
+    ] {
+        let scene = Scene::parse_any("seta.toml", &with(whole), &set(path, value)).unwrap();
+        assert_eq!((scene.seta.as_ref().unwrap().seta.tips(), path), (tips, path));
+        // the number of forks that says nothing is not written
+        assert_eq!(parse(&scene.to_toml()).to_toml(), scene.to_toml());
+    }
+    let both = [set("seta.forks", "3"), set("seta.branches", "[3, 2]")].concat();
+    refused(&with(whole), &both, "`seta.forks` is given beside `seta.branches`");
     let tree = |text: &str| with(&format!("tree = \"\"\"\n{text}\"\"\"\ntip_pitch = \"1 um\"\n"));
     refused(&tree(TREE), &[], "`seta.tip_pitch` is given beside `seta.tree`");
     refused(&tree(&TREE.replace("0 0.3 1", "0 x 1")), &[], "has in line 5 y = x, which is no number");

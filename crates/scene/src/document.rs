@@ -4,6 +4,7 @@
 use crate::body::{BODIES, body_of, set_body, set_space};
 use crate::conflict::Conflict;
 use crate::error::{Origin, SceneError, ValueError, nearest, one_line};
+use crate::key::belongs::in_place_of;
 use crate::key::kind::{Key, Kind};
 use crate::key::table::{SETA, SETAE, SOLID, TIME};
 use crate::keys::{KEYS, find_key, tables};
@@ -131,7 +132,16 @@ fn read(
     let mut scene = Scene::empty(name);
     let mut given = fill(&mut scene, text, document)?;
     for (path, value) in overrides {
-        given.insert(set(&mut scene, path, value)?.path());
+        let key = set(&mut scene, path, value)?;
+        // what the text says of a seta gives way to what stands in its place by an override
+        let is_replaced = |path: &String| {
+            let name = path.strip_prefix(SETA.name).and_then(|rest| rest.strip_prefix('.'));
+            key.table == SETA.name
+                && name.and_then(|name| in_place_of(&scene, name)) == Some(key.name)
+                && !overrides.iter().any(|(other, _)| other.trim() == path)
+        };
+        given.retain(|path| !is_replaced(path));
+        given.insert(key.path());
     }
     supply_half_space(&mut scene, &mut given);
     let conflict = Conflict::find(&scene, &given);

@@ -47,7 +47,7 @@ pub enum SetaTreeError {
     Circle { joint: usize },
     #[error("{branches} branches begin at the root, which carries one shaft")]
     Shafts { joint: usize, branches: usize },
-    #[error("its place is [{}, {}, {}] nm, which is not finite", place[0], place[1], place[2])]
+    #[error("its place is {place:?} nm, which is not finite")]
     Place { joint: usize, place: [f64; 3] },
     #[error("it is where its parent is")]
     NoLength { joint: usize },

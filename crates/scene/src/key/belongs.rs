@@ -5,7 +5,6 @@ use super::table::{ADHESION, SETA, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
-use crate::tables::branching::in_place_of;
 use peelkit::model::{Body, ProfileForm};
 
 /// Why a scene may not hold a key.
@@ -150,4 +149,39 @@ impl Key {
             ),
         }
     }
+}
+
+// -- Lists of a seta, and its tree, in place of other keys --
+
+/// Keys of `seta` whose place a tree takes.
+const OF_LEVELS: [&str; 13] = [
+    "forks",
+    "branches",
+    "tip_pitch",
+    "shaft_length",
+    "shaft_angle",
+    "shaft_diameter",
+    "diameters",
+    "brush_height",
+    "fork_heights",
+    "brush_angle",
+    "height_ratio",
+    "diameter_ratio",
+    "height_scatter",
+];
+/// Those whose place lists take.
+const OF_BRANCHES: [&str; 1] = ["forks"];
+const OF_HEIGHTS: [&str; 2] = ["brush_height", "height_ratio"];
+const OF_DIAMETERS: [&str; 2] = ["shaft_diameter", "diameter_ratio"];
+
+/// The key of the seta of a scene that stands in place of the one with this name, if one does.
+pub(crate) fn in_place_of(scene: &Scene, name: &str) -> Option<&'static str> {
+    let seta = &scene.seta.as_ref()?.seta;
+    let lists: [(&str, bool, &[&str]); 4] = [
+        ("tree", seta.tree.is_some(), &OF_LEVELS),
+        ("branches", !seta.branches.is_empty(), &OF_BRANCHES),
+        ("fork_heights", !seta.fork_heights.is_empty(), &OF_HEIGHTS),
+        ("diameters", !seta.diameters.is_empty(), &OF_DIAMETERS),
+    ];
+    lists.into_iter().find(|(_, is_given, names)| *is_given && names.contains(&name)).map(|(key, ..)| key)
 }
