@@ -17,6 +17,7 @@ mod space;
 mod spatula;
 mod strip;
 mod strip_variants;
+mod toe;
 
 pub use check::{Check, Measure, Topic};
 
@@ -35,6 +36,7 @@ pub const TOPICS: &[Topic] = &[
     grip_in_space::TOPIC,
     ground::TOPIC,
     solid::TOPIC,
+    toe::TOPIC,
     orders::TOPIC,
     bounds::TOPIC,
 ];
