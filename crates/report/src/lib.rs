@@ -30,8 +30,9 @@ mod unknown_error;
 pub use animation::frames::{Pose, poses};
 pub use animation::write_animation;
 pub use array::picture::draw_array;
-pub use array::summary::{ArrayFound, ArraySummary, array_end_word};
-pub use array::tables::write_array_tables;
+pub use array::summary::{ArrayFound, ArraySummary, array_end_reason, array_end_word};
+pub use array::sweep::{ArrayResult, SweptArray, draw_swept_arrays, write_swept_arrays};
+pub use array::tables::{array_columns, write_array_tables};
 pub use checkpoint::journal::{Journal, JournalKind};
 pub use checkpoint::part::{DividedSweep, Part, PartAxis, PartHeader, PartialCollection, SweepPart};
 pub use error::ReportError;
@@ -69,6 +70,7 @@ pub use records::path::{
     GripOfPoint, curve_csv, write_branch, write_curve, write_equilibria, write_limit_points, write_stations,
 };
 pub use records::peel::{PeelFound, PeelSummary, left_out};
+pub use records::seta_law::{SetaLawFound, SetaLawSummary, seta_law_text, write_seta_law};
 pub use records::summary::{Found, SCHEMA, Summary, VERSION, command_of_results, write_parameters};
 pub use records::sweep::{Sweep, SweepLine, SweepSummary, work_to, write_followed, write_sweep};
 pub use records::tip::{TipFound, TipSummary, write_tip_law};

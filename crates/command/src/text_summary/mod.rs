@@ -11,6 +11,7 @@ pub(crate) mod peel;
 pub(crate) mod rate;
 pub(crate) mod sensitivities;
 pub(crate) mod seta;
+pub(crate) mod seta_law;
 pub(crate) mod solid;
 mod stability;
 pub(crate) mod sweep;

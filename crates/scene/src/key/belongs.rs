@@ -5,6 +5,7 @@ use super::table::{ADHESION, SETA, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
+use crate::tables::array::follows_from_law;
 use peelkit::model::{Body, ProfileForm};
 
 /// Why a scene may not hold a key.
@@ -23,6 +24,8 @@ enum Misfit {
     Law,
     /// It follows from the table of the law.
     OfTable,
+    /// It follows from the law of its setae.
+    OfSeta,
     /// Its beam has another key in place of this one.
     Beside(&'static str),
 }
@@ -49,6 +52,9 @@ impl Key {
         }
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
+        }
+        if follows_from_law(scene, self) {
+            return Some(Misfit::OfSeta);
         }
         let law = scene.model.adhesion.attraction;
         match (self.table == ADHESION.name, &self.kind) {
@@ -96,7 +102,7 @@ impl Key {
             Misfit::BesideArray => ValueError::new(
                 "is given, and the scene has [setae], an array, which has no such key",
                 format!(
-                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive] and `time` of [bounds]."
+                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive], `time` of [bounds], [optimise] and [uncertainty]."
                 ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(
@@ -138,6 +144,9 @@ impl Key {
                 "is given beside `law` = \"table\", from whose rows it follows",
                 format!("Remove `{name}`, or use another `law`."),
             ),
+            Misfit::OfSeta => {
+                ValueError::new("is given beside `law`, from which it follows", format!("Remove `{name}`, or `law`."))
+            }
             Misfit::Beside(other) => ValueError::new(
                 format!("is given beside `{table}.{other}`, and the beam has one geometry"),
                 format!("Remove one of `{name}` and `{other}`."),

@@ -3,6 +3,7 @@
 pub(crate) mod form;
 pub(crate) mod pieces;
 pub(crate) mod quantity;
+pub(crate) mod seta_law;
 pub(crate) mod steps;
 pub(crate) mod table;
 pub(crate) mod traction;
