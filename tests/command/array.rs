@@ -79,7 +79,7 @@ fn what_varies() {
         run(folder.path(), &[&["uncertainty", "uncertain.toml", "--json"], &small[..]].concat());
     assert_eq!(status, Some(0), "{trouble}");
     let found: Value = serde_json::from_str(&text).unwrap();
-    let number = |name: &str| found["results"][0][name].as_f64().unwrap();
+    let number = |name: &str| found["results"][0][name]["value"].as_f64().unwrap();
     let ratio = number("deviation") / number("mean");
     assert!((ratio - 0.1).abs() < 0.02, "{ratio} {text}");
 }
