@@ -8,7 +8,7 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 from ._native import SCHEMA, VERSION as __version__
 from ._sweep import read_sweep, sweep
 from .analyses import Fit, Optimum, Uncertainty, fit, optimise, uncertainty
-from .curve import Columns, Curve, PullOffCurve, RateCurve, SolidCurve
+from .curve import ArrayCurve, ArrayEvents, ArrayRows, Columns, Curve, PullOffCurve, RateCurve, SolidCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
 from .found import Found
@@ -16,7 +16,7 @@ from .out_of_plane import OutOfPlane
 from .path import Path, PathPoint
 from .peel import Peel
 from .points import LimitPoint, Peak, Plateau, Station
-from .pulls import PullAtRate, PullOff, SolidPeel
+from .pulls import ArrayPull, PullAtRate, PullOff, SolidPeel
 from .scene import Scene
 from .sensitivity import Sensitivity
 from .state import State
@@ -24,6 +24,10 @@ from .tip_law import TipLaw
 
 __all__ = [
     "SCHEMA",
+    "ArrayCurve",
+    "ArrayEvents",
+    "ArrayPull",
+    "ArrayRows",
     "ComputationError",
     "ComputationWarning",
     "Columns",

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from . import _native
 
-__all__ = ["Columns", "Curve", "PullOffCurve", "RateCurve", "SolidCurve"]
+__all__ = ["ArrayCurve", "ArrayEvents", "ArrayRows", "Columns", "Curve", "PullOffCurve", "RateCurve", "SolidCurve"]
 
 #: Rows that a notebook shows of either end.
 _SHOWN = 5
@@ -185,6 +185,72 @@ class SolidCurve(Columns):
     negative_eigenvalues: NDArray[Any]
     negative_eigenvalues_load: NDArray[Any]
     detached: NDArray[np.float64]
+
+
+class ArrayCurve(Columns):
+    """The columns of ``curve.csv`` of an array of setae: an array a column, an item an end of a jump.
+
+    Attributes
+    ----------
+    lift : ndarray of float64
+        It only grows: nm, of a moment rad.
+    load : ndarray of float64
+        Force, nN, or moment, nN nm.
+    """
+
+    lift: NDArray[np.float64]
+    load: NDArray[np.float64]
+
+
+class ArrayEvents(Columns):
+    """The columns of ``events.csv`` of an array of setae: an array a column, an item an event.
+
+    Attributes
+    ----------
+    event, row, setae, first_seta : ndarray of int64
+        Numbers of the event, of its row and of the first of its setae, from 1; how many setae change.
+    from_sheet, to_sheet : ndarray of int64
+        The sheets that they leave and reach.
+    lift, load, load_after : ndarray of float64
+        Before the event, and behind it at the same lift.
+    released, work : ndarray of float64
+        Released by it, and work of the load up to it, aJ.
+    adhering : ndarray of int64
+        Setae that adhere behind it.
+    starts_jump : ndarray of bool
+        Whether it comes at a lift above all before.
+    """
+
+    event: NDArray[np.int64]
+    row: NDArray[np.int64]
+    setae: NDArray[np.int64]
+    first_seta: NDArray[np.int64]
+    from_sheet: NDArray[np.int64]
+    to_sheet: NDArray[np.int64]
+    lift: NDArray[np.float64]
+    load: NDArray[np.float64]
+    load_after: NDArray[np.float64]
+    released: NDArray[np.float64]
+    work: NDArray[np.float64]
+    adhering: NDArray[np.int64]
+    starts_jump: NDArray[np.bool_]
+
+
+class ArrayRows(Columns):
+    """The columns of ``rows.csv`` of an array of setae: an array a column, an item a row just before the peak.
+
+    Attributes
+    ----------
+    row, adhering : ndarray of int64
+        Its number, from 1, and how many of its setae adhere.
+    shear, normal : ndarray of float64
+        Its force along the ground and off it, nN.
+    """
+
+    row: NDArray[np.int64]
+    adhering: NDArray[np.int64]
+    shear: NDArray[np.float64]
+    normal: NDArray[np.float64]
 
 
 class RateCurve(Columns):

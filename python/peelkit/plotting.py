@@ -43,6 +43,11 @@ def test(test: Test, ax: Axes | None, style: dict[str, Any]) -> Axes:
 def pull(columns: Columns, ax: Axes | None, style: dict[str, Any]) -> Axes:
     """The force against how far the root, or what pulls, has come."""
     ax = _axes(ax)
+    if "lift" in columns:
+        ax.plot(columns["lift"], columns["load"], **style)
+        ax.set_xlabel("lift (nm; of a moment rad)")
+        ax.set_ylabel("load (nN; of a moment nN nm)")
+        return ax
     ax.plot(columns["travel"] if "travel" in columns else columns["displacement"], columns["force"], **style)
     ax.set_xlabel("displacement (nm)")
     ax.set_ylabel("force P (nN)")

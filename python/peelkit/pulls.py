@@ -1,4 +1,4 @@
-"""The pull-off of a seta, pulls at a rate, and peels of solids."""
+"""The pull-off of a seta, pulls of arrays of setae, pulls at a rate, and peels of solids."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from .curve import Columns, PullOffCurve, RateCurve, SolidCurve, of_columns
+from .curve import ArrayCurve, ArrayEvents, ArrayRows, Columns, PullOffCurve, RateCurve, SolidCurve, of_columns
 from .errors import ComputationError
 from .found import Found
 from .points import Peak
 
 if TYPE_CHECKING:
+    import numpy as np
     from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
-__all__ = ["PullAtRate", "PullOff", "SolidPeel"]
+__all__ = ["ArrayPull", "PullAtRate", "PullOff", "SolidPeel"]
 
 
 class _Pull(Found):
@@ -137,6 +139,82 @@ class SolidPeel(_Pull):
         """Title, end and peak."""
         force = "no peak" if self.peak is None else f"peak {self.peak['force_nN']:.6g} nN"
         return f"<SolidPeel of {self._found['title']!r}: {self.end}, {force}>"
+
+
+class ArrayPull(_Pull):
+    """The pull of an array of setae, event by event; :meth:`Scene.run` of a scene with a table ``setae`` makes one."""
+
+    def __init__(
+        self,
+        native: _native.Found | None,
+        summary: dict[str, Any],
+        curve: Columns,
+        events: ArrayEvents,
+        rows: ArrayRows,
+    ) -> None:
+        super().__init__(native, summary, curve)
+        self._events = events
+        self._rows = rows
+
+    @classmethod
+    def _of_array(cls, scene: _native.Scene) -> ArrayPull:
+        native, events, rows = _native.pull_array(scene)
+        curve = of_columns(ArrayCurve, native.columns())
+        return cls(native, cls._read(native), curve, of_columns(ArrayEvents, events), of_columns(ArrayRows, rows))
+
+    @property
+    def curve(self) -> ArrayCurve:
+        """Lift and load under a lift that only grows: the columns of ``curve.csv``."""
+        assert isinstance(self._curve, ArrayCurve)
+        return self._curve
+
+    @property
+    def lift(self) -> NDArray[np.float64]:
+        """Of the curve, nm; of a moment rad."""
+        return self.curve.lift
+
+    @property
+    def force(self) -> NDArray[np.float64]:
+        """Load of the curve, nN; of a moment nN nm."""
+        return self.curve.load
+
+    @property
+    def events(self) -> ArrayEvents:
+        """Every change of setae as arrays: the columns of ``events.csv``."""
+        return self._events
+
+    @property
+    def rows(self) -> ArrayRows:
+        """The rows just before the peak as arrays: the columns of ``rows.csv``."""
+        return self._rows
+
+    @property
+    def peak(self) -> dict[str, Any]:
+        """The event with the largest load, an object of ``summary.json``."""
+        peak: dict[str, Any] = self.summary()["peak"]
+        return peak
+
+    @property
+    def peak_force(self) -> float | None:
+        """Its load, nN; of a moment nN nm."""
+        force: float | None = self._found["peak"]["load"]
+        return force
+
+    @property
+    def closed_forms(self) -> dict[str, Any]:
+        """What the computed is held against, an object of ``summary.json``."""
+        forms: dict[str, Any] = self.summary()["closed_forms"]
+        return forms
+
+    def __repr__(self) -> str:
+        """Title, end and peak."""
+        unit = "nN" if self._found["load"] == "force" else "nN nm"
+        load = "no peak" if self.peak_force is None else f"peak {self.peak_force:.6g} {unit}"
+        return f"<ArrayPull of {self._found['title']!r}: {self.end}, {load}, {self._found['setae']} setae>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Every number; what is read again cannot be saved."""
+        return type(self), (None, self._found, self._curve, self._events, self._rows)
 
 
 class PullAtRate(_Pull):

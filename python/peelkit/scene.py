@@ -17,13 +17,13 @@ from .observed import Test
 from .out_of_plane import OutOfPlane
 from .path import Path as EquilibriumPath
 from .peel import Peel
-from .pulls import PullAtRate, PullOff, SolidPeel
+from .pulls import ArrayPull, PullAtRate, PullOff, SolidPeel
 from .sensitivity import Sensitivity
 from .tip_law import TipLaw
 
 __all__ = ["Scene"]
 
-_Run = TypeVar("_Run", Peel, PullOff, PullAtRate, SolidPeel, OutOfPlane)
+_Run = TypeVar("_Run", Peel, PullOff, PullAtRate, SolidPeel, ArrayPull, OutOfPlane)
 
 
 class Scene:
@@ -177,12 +177,12 @@ class Scene:
         """Compute what the scene describes, as ``peel run`` does.
 
         Of a beam that is the whole path of equilibria, with its limit points and their error bounds. Of a scene with a table
-        ``seta`` it is :meth:`pull_off`, with ``time`` :meth:`pull_at_rate`, with ``solid`` :meth:`peel_solid`: call these where
-        types are checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
+        ``seta`` it is :meth:`pull_off`, with ``time`` :meth:`pull_at_rate`, with ``solid`` :meth:`peel_solid`, with ``setae``
+        :meth:`pull_array`: call these where types are checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
 
         Returns
         -------
-        Peel, PullOff, PullAtRate or SolidPeel
+        Peel, PullOff, PullAtRate, SolidPeel or ArrayPull
             What was reached, also where the computation stopped short: then its `end` is ``"failed"``, and where the model
             has no stable state at rest ``"refused"``.
 
@@ -198,6 +198,8 @@ class Scene:
             return self._warned(SolidPeel._of(_native.peel_solid(self._native)))
         if self._native.subject == "rate":
             return self._warned(PullAtRate._of(_native.pull_at_rate(self._native)))
+        if self._native.subject == "array":
+            return self._warned(ArrayPull._of_array(self._native))
         return self._warned(Peel(self._native.run(), self))
 
     @staticmethod
@@ -234,6 +236,18 @@ class Scene:
         if self._native.subject != "solid":
             raise SceneError("the scene is not computed as a solid", "Give it a table `solid`.")
         return self._warned(SolidPeel._of(_native.peel_solid(self._native)))
+
+    def pull_array(self) -> ArrayPull:
+        """Compute the pull of the array of setae of the scene, as ``peel run`` does: see :meth:`run`.
+
+        Raises
+        ------
+        SceneError
+            Where the scene has no table ``setae``.
+        """
+        if self._native.subject != "array":
+            raise SceneError("the scene has no array of setae", "Give it a table `setae`, and `patch` or `lamella`.")
+        return self._warned(ArrayPull._of_array(self._native))
 
     def pull_at_rate(self) -> PullAtRate:
         """Compute the pull of the scene at its rate, of a beam or of a seta, as ``peel run`` does: see :meth:`run`.

@@ -8,9 +8,9 @@ use crate::scene::NativeScene;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
 use peelkit::study::{MeasuredPoint, observed};
 use peelkit_analyses::{
-    Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, SolidRun, TipCoarsening, Uncertainty,
+    ArrayRun, Asked, Data, Fitting, Optimisation, PeelRun, RateRun, SetaRun, SolidRun, TipCoarsening, Uncertainty,
 };
-use peelkit_report::{ObservedSummary, Record, pull_off_columns, rate_columns, solid_columns, timed};
+use peelkit_report::{ObservedSummary, Record, array_columns, pull_off_columns, rate_columns, solid_columns, timed};
 use pyo3::prelude::*;
 use std::path::Path;
 
@@ -36,6 +36,15 @@ pub fn peel_solid(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
     let found = analysed(py, &scene.source, |scene| SolidRun::of(scene, Asked::default()))?;
     let columns = of_cells(py, solid_columns(&found.peel.points))?;
     Ok(NativeFound::new(&scene.source, found)?.with_columns(columns))
+}
+
+/// The pull of the array of setae of a scene, whose columns are those of curve.csv, with those of events.csv and of rows.csv.
+#[pyfunction]
+pub fn pull_array(py: Python, scene: &NativeScene) -> PyResult<(NativeFound, Vec<Column>, Vec<Column>)> {
+    let found = analysed(py, &scene.source, |scene| ArrayRun::of(scene, Asked::default()))?;
+    let [curve, events, rows] = array_columns(&found.pull);
+    let (curve, events, rows) = (of_cells(py, curve)?, of_cells(py, events)?, of_cells(py, rows)?);
+    Ok((NativeFound::new(&scene.source, found)?.with_columns(curve), events, rows))
 }
 
 /// The stability of the planar path of a scene against leaving its plane and, where asked for, the branch on which it leaves.

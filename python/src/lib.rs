@@ -21,7 +21,8 @@ mod states;
 mod native {
     #[pymodule_export]
     use crate::analyses::{
-        NativeTest, coarsen, fit, optimise, out_of_plane, peel_solid, pull_at_rate, pull_off, test, uncertainty,
+        NativeTest, coarsen, fit, optimise, out_of_plane, peel_solid, pull_array, pull_at_rate, pull_off, test,
+        uncertainty,
     };
     #[pymodule_export]
     use crate::found::NativeFound;

@@ -84,7 +84,8 @@ impl NativeScene {
     /// Name, text and overrides from which it is read again anywhere: a text that names files with what they hold in their place.
     fn parts(&self) -> (&str, String, Vec<(String, String)>) {
         let Source { scene, text, overrides } = &*self.source;
-        match scene.table_texts.is_empty() {
+        let has_law = scene.array.as_ref().is_some_and(|array| array.fitted.is_some());
+        match scene.table_texts.is_empty() && !has_law {
             true => (&scene.name, text.clone(), overrides.clone()),
             false => (&scene.name, scene.to_toml(), Vec::new()),
         }
@@ -125,7 +126,7 @@ impl NativeScene {
         Some(in_usual_unit(key, number))
     }
 
-    /// What a run of it computes: "peel", "seta", or "rate".
+    /// What a run of it computes: "peel", "solid", "seta", "array", or "rate".
     #[getter]
     fn subject(&self) -> &'static str {
         self.source.scene.describes().word()

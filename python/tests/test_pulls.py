@@ -71,6 +71,33 @@ def test_a_solid_is_peeled_as_by_the_command(
     assert len(found.limit_points) == len(printed["limit_points"])
 
 
+@pytest.mark.parametrize("name", ["patch", "lamella"])
+def test_an_array_is_pulled_as_by_the_command(
+    name: str, root: Path, command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(root)
+    small = {"setae.rows": 12, "setae.columns": 5}
+    sets = [part for key, value in small.items() for part in ("--set", f"{key}={value}")]
+    printed = command("run", f"scenes/{name}.toml", *sets, "--json", "--out", tmp_path)
+    scene = peelkit.Scene.read(f"scenes/{name}.toml").with_(small)
+    found = scene.run()
+    assert isinstance(found, peelkit.ArrayPull)
+    compared(found, printed, tmp_path)
+    for own, file in [(found.events, "events"), (found.rows, "rows")]:
+        table, written = own.to_pandas(), columns(tmp_path / f"{file}.csv")
+        assert list(table) == list(written)
+        for column, cells in written.items():
+            numbers = [{"true": 1.0, "false": 0.0}[cell] if cell in ("true", "false") else float(cell) for cell in cells]
+            assert np.array_equal(table[column].to_numpy(), np.array(numbers)), column
+    assert found.peak_force == printed["peak"]["load"] == found.force.max()
+    again = pickle.loads(pickle.dumps(found))
+    assert np.array_equal(again.events.load, found.events.load) and again.summary() == found.summary()
+    with pytest.raises(peelkit.SceneError, match="no array of setae"):
+        peelkit.Scene.read("scenes/strip-100nm.toml").pull_array()
+    swept = peelkit.sweep(scene, {"setae.strength_scatter": [0.0, 0.2]})
+    assert swept.largest_load.values[1] == printed["largest_load"]
+
+
 def test_saved_files_are_those_of_the_command(
     root: Path, command: Command, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,7 +2,7 @@
 //!
 //! A seta is on one of few sheets. Each is a potential of the place u = (u, v) of its root, along the ground and along its normal, and is left
 //! for the next one where u·d = c; behind the last sheet the seta is detached. A seta remembers nothing but its sheet.
-//! A strength s scales the law: exits lie at s c, and what softens does so from there.
+//! A strength s scales the law, E(u) → s² E(u/s): exits lie at s c with forces s F, and stiffnesses stay.
 
 use super::potential::Potential;
 use crate::study::coarsening::seta_law::{ExitPlane, SetaLaw};
@@ -132,7 +132,11 @@ impl RootLaw {
                 )
             }
             (Self::Held { stiffness, exit }, 0) => (Potential::quadratic(*stiffness), plane(exit)),
-            (Self::Fitted(law), 0) => (Potential::of(law.scale, &law.coefficients), plane(&law.exit)),
+            (Self::Fitted(law), 0) => {
+                // s² E(u/s)
+                let scaled: Vec<f64> = law.coefficients.iter().map(|own| own * strength * strength).collect();
+                (Potential::of(strength * law.scale, &scaled), plane(&law.exit))
+            }
             _ => return None,
         };
         Some(RootSheet { potential, exit, goes_back: number > 0 })

@@ -12,3 +12,4 @@ mod out_of_plane;
 mod pictures;
 mod reference_values;
 mod tapes;
+mod toe;

@@ -23,6 +23,7 @@ mod sensitivities;
 mod serve;
 mod seta;
 mod seta_at_a_rate;
+mod seta_law;
 #[cfg(unix)]
 mod seta_pressed;
 #[cfg(unix)]

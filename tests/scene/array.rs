@@ -51,5 +51,5 @@ fn what_does_not_fit() {
         &LAMELLA.replace("rows = 4", "rows = 4\nreach = \"5 um\"\nlast_reach = \"4 um\""),
         &["has to hold farther"],
     );
-    assert!(Scene::parse("a.toml", LAMELLA, &[]).unwrap_err().to_string().contains("`peel run` alone"));
+    assert!(Scene::parse("a.toml", LAMELLA, &[]).unwrap_err().to_string().contains("array of setae"));
 }

@@ -32,7 +32,8 @@ fn timed(key: &str) -> &'static str {
 
 #[test]
 fn every_example_that_messages_give_is_right() {
-    for key in KEYS {
+    // of a law there has to be a folder: tests/command/seta_law.rs reads one
+    for key in KEYS.iter().filter(|key| key.path() != "setae.law") {
         let text = match key.table {
             "spatula" => SPATULA.to_owned(),
             "profile" if key.name == "pieces" => PIECES.to_owned(),

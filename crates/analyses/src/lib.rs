@@ -13,6 +13,7 @@ mod outcome;
 mod pulls;
 mod run;
 mod session;
+mod seta_law;
 mod sweep;
 mod uncertainty;
 
@@ -21,9 +22,10 @@ pub use fit::{Data, FitOutcome, Fitting};
 pub use optimise::{Optimisation, OptimisationOutcome};
 pub use outcome::{Analysis, End, Outcome, Refusal};
 pub use run::{
-    Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run, RunOutcome, SetaOutcome, SetaRun,
-    SolidOutcome, SolidRun,
+    ArrayOutcome, ArrayRun, Asked, Exponents, OfSeta, PeelOutcome, PeelRun, Pull, RateOutcome, RateRun, Run,
+    RunOutcome, SetaOutcome, SetaRun, SolidOutcome, SolidRun,
 };
 pub use session::{Cost, Keeping, Nobody, Parts, Progress, Session, Watcher};
+pub use seta_law::{SetaLawCoarsening, SetaLawOutcome};
 pub use sweep::{Axis, Case, Cases, Rows, SceneRows, Sweep, SweepOutcome, place};
 pub use uncertainty::{Uncertainty, UncertaintyOutcome};

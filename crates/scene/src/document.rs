@@ -97,12 +97,22 @@ impl Scene {
     }
 }
 
-/// Whether a key is the folder of the law of tips.
+/// Whether a key is the folder of the law of tips, or of a seta.
 fn names_a_folder(key: &Key) -> bool {
-    (key.table, key.name) == (SETA.name, "tip_table")
+    (key.table, key.name) == (SETA.name, "tip_table") || is_law(key)
+}
+
+fn is_law(key: &Key) -> bool {
+    (key.table, key.name) == (SETAE.name, "law")
 }
 
 fn names_a_file(key: &Key) -> ValueError {
+    if is_law(key) {
+        return ValueError::new(
+            "names a folder, and this scene is read without files",
+            "Put the lines of its seta_law.toml into the scene, between \"\"\" and \"\"\".",
+        );
+    }
     match names_a_folder(key) {
         true => ValueError::new(
             "names a folder, and this scene is read without files",

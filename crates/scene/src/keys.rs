@@ -12,7 +12,7 @@ use crate::key::table::{
 use crate::scene::Scene;
 use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
 use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
-use crate::tables::{branching, fit, optimise, output, rate, seta, solid, uncertainty};
+use crate::tables::{array, branching, fit, optimise, output, rate, seta, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -249,6 +249,7 @@ pub static KEYS: &[Key] = &[
     key(&SETAE, "reach", Optional, Kind::Quantity(Length, |s| &mut setae(s).reach), "displacement at which a seta lets go or softens").titled("displacement at which a seta lets go", ""),
     key(&SETAE, "last_reach", Optional, Kind::Bound(Length, |s| &mut setae(s).last_reach), "displacement up to which it softens; none: brittle").titled("displacement up to which a seta softens", ""),
     key(&SETAE, "exit_angle", Optional, Kind::Measure(Angle, EXIT_ANGLES, |s| &mut setae(s).exit_angle), "direction in which its reach is measured, to the ground").titled("direction of the exit of a seta", ""),
+    key(&SETAE, "law", Optional, Kind::Setting(&array::LAW), "folder of peel coarsen with their law; none: numbers"),
     key(&SETAE, "cone_angle", Optional, Kind::Bound(Angle, |s| &mut setae(s).cone_angle), "critical angle of a seta, for that of a lamella").titled("critical angle of a seta", "α"),
     key(&SETAE, "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut setae(s).scatter.height), "half the range of the heights of setae").titled("half the range of the heights of setae", ""),
     key(&SETAE, "strength_scatter", Optional, Kind::Number(Range::From(0.0, 0.999), |s| &mut setae(s).scatter.strength), "half the range of their strengths, over the mean").titled("half the range of the strengths of setae", ""),

@@ -26,7 +26,7 @@ pub use key::table::Table;
 pub use keys::{KEYS, find_key, tables};
 
 pub use peelkit::model::Range;
-pub use scene::array::{ArrayTable, BandLoad, LamellaTable, PatchTable, ToeTable};
+pub use scene::array::{ArrayTable, BandLoad, FittedSeta, LamellaTable, PatchTable, ToeTable};
 pub use scene::bounds::BoundsTable;
 pub use scene::rate::{Flow, TimeTable};
 pub use scene::seta::{SetaTable, SetaTipLaw};
@@ -44,6 +44,7 @@ pub use tables::output::{event, station};
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};
+pub use value::seta_law::{CHECK, SETA_LAW, parse_seta_law};
 pub use value::swc::{SwcError, parse_swc};
 pub use value::table::{CsvError, parse_heights, parse_profile};
 pub use value::traction::parse_tractions;

@@ -153,9 +153,24 @@ _OF_SOLID = (
 )
 
 
+_OF_ARRAY = (
+    Column("peak_load", "", "load at the event with the largest one, nN or nN nm", "peak_load"),
+    Column("peak_lift", "", "its lift there, nm or rad", "peak_lift"),
+    Column("largest_load", "", "largest load, between events as well", "largest_load"),
+    Column("first_load", "", "load at the first event", "first_load"),
+    Column("work", "aJ", "work of the load up to the last event", "work_aJ"),
+    Column("released", "aJ", "energy released in events", "released_aJ"),
+    Column("setae", "", "setae of the array", "setae"),
+    Column("detached", "", "setae that detach", "detached"),
+    Column("events", "", "changes of setae", "events"),
+    _END,
+    _TIME,
+)
+
+
 def columns_of(subject: str) -> tuple[Column, ...]:
-    """Those of what a scene describes: ``"peel"``, ``"solid"``, ``"seta"`` or ``"rate"``."""
-    return {"peel": COLUMNS, "solid": _OF_SOLID, "seta": _OF_SETA, "rate": _AT_RATE}[subject]
+    """Those of what a scene describes: ``"peel"``, ``"solid"``, ``"array"``, ``"seta"`` or ``"rate"``."""
+    return {"peel": COLUMNS, "solid": _OF_SOLID, "array": _OF_ARRAY, "seta": _OF_SETA, "rate": _AT_RATE}[subject]
 
 
 def row_of(row: str, columns: tuple[Column, ...]) -> Row:

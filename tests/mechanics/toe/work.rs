@@ -62,6 +62,19 @@ fn work_of_a_patch() {
     }
 }
 
+/// Of a seta of strength s: s² E(u/s), as of a spring that softens.
+#[test]
+fn strengths_scale_a_law() {
+    for law in [fitted(), RootLaw::Softening { stiffness: STIFFNESS, first: 60.0, last: 150.0 }] {
+        let last = law.sheets() - 1;
+        let [one, weak] = [1.0, 0.7].map(|strength| law.sheet(last, strength).unwrap());
+        let [own, scaled] = [one.potential.response([30.0, 90.0]), weak.potential.response([21.0, 63.0])];
+        assert_relative_eq!(scaled.energy, 0.49 * own.energy, max_relative = 1e-12);
+        (0..2).for_each(|i| assert_relative_eq!(scaled.force[i], 0.7 * own.force[i], max_relative = 1e-12));
+        assert_relative_eq!(weak.exit.distance, 0.7 * one.exit.distance, max_relative = 1e-14);
+    }
+}
+
 #[test]
 fn a_closed_way_before_the_first_loss_takes_no_work() {
     let way = [0.0, FRAC_PI_2, PI, -FRAC_PI_2].map(|angle| PatchStep { angle, distance: Some(30.0) });

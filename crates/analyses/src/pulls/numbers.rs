@@ -1,4 +1,4 @@
-//! Numbers and curves of scenes that are no peel of a beam in equilibrium: the peel of a solid, the pull-off of a seta, and a pull at a rate, of a beam or of a seta. Who
+//! Numbers and curves of scenes that are no peel of a beam in equilibrium: the peel of a solid, the pull-off of a seta, the pull of an array, and a pull at a rate, of a beam or of a seta. Who
 //! samples, optimises or fits such scenes asks here, and does not ask which of these they are.
 
 use crate::pulls::rate::pull_at_rate;
@@ -72,7 +72,7 @@ impl Pulls {
                 Ok(Pulled { peak: peak.map(|at| (at.force, at.displacement, at.error)), work: None, curve })
             }
             Described::Array(table) => {
-                let pull = array(scene, table, stop)?;
+                let pull = pulled_array(scene, table, stop)?;
                 let peak = pull.peak.and_then(|peak| pull.events.get(peak)).map(|at| (at.load, at.lift, None));
                 Ok(Pulled { peak, work: Some(pull.work), curve: of_array(&pull) })
             }
@@ -102,7 +102,7 @@ impl Pulls {
                 let peel = peeled(scene, table, stop.clone());
                 Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
-            Described::Array(table) => Ok(of_array(&array(scene, table, stop)?)),
+            Described::Array(table) => Ok(of_array(&pulled_array(scene, table, stop)?)),
             Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
             Described::Peel => Err(A_PEEL.to_owned()),
         }
@@ -141,7 +141,7 @@ fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
 }
 
 /// The pull of the array of a scene.
-fn array(scene: &Scene, table: &ArrayTable, stop: &StopCriteria) -> Result<ArrayPull, String> {
+pub fn pulled_array(scene: &Scene, table: &ArrayTable, stop: &StopCriteria) -> Result<ArrayPull, String> {
     let array = scene.seta_array(table).ok_or("its setae stand on nothing")?;
     let stopped = || stop.should_stop.as_ref().is_some_and(|asked| asked(Stage::Path).is_some());
     array.pull(&stopped).map_err(|error| error.to_string())

@@ -80,16 +80,9 @@ impl Outcome for ArrayOutcome {
     }
 
     fn end(&self) -> End {
-        match self.pull.end {
-            ArrayEnd::NoFurtherExit => End::CutShort(
-                "no seta comes nearer to its exit as the load grows: change the direction of the load".to_owned(),
-            ),
-            ArrayEnd::Stopped if self.interrupted => End::Interrupted { done: None, short: None },
-            ArrayEnd::Stopped => End::CutShort(format!(
-                "bounds.time has passed after {} events: the peak may lie ahead",
-                self.pull.events.len()
-            )),
-            _ => End::Done,
+        if self.pull.end == ArrayEnd::Stopped && self.interrupted {
+            return End::Interrupted { done: None, short: None };
         }
+        report::array_end_reason(&self.pull).map_or(End::Done, End::CutShort)
     }
 }

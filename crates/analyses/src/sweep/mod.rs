@@ -12,6 +12,7 @@ pub use failed::place;
 pub use outcome::{Rows, SweepOutcome};
 
 use crate::outcome::{Analysis, Refusal};
+use crate::pulls::numbers::pulled_array;
 use crate::pulls::rate::pull_at_rate;
 use crate::pulls::seta::Setae;
 use crate::pulls::solid::peeled;
@@ -19,7 +20,7 @@ use crate::session::Session;
 use compute::{Found, compute};
 use peelkit::study::{self, PeelResult, PointKind, SetaResult};
 use peelkit_report::{
-    Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SolidResult, SweepLine, SweepRow, timed,
+    ArrayResult, Journal, JournalKind, PartHeader, PullRow, RateResult, Record, SolidResult, SweepLine, SweepRow, timed,
 };
 use peelkit_scene::{Described, Scene};
 use serde::Serialize;
@@ -42,9 +43,11 @@ impl<'s> Sweep<'s> {
     /// Fails with the reason.
     pub fn allows(scene: &Scene, follows: bool, divided: bool) -> Result<(), Refusal> {
         let [followed, whole, divides] = match scene.describes() {
-            Described::Array(_) => {
-                return Err(Refusal::asked(NO_SWEEP, "Give its values one by one, with --set."));
-            }
+            Described::Array(_) => [
+                "--follow and --peak-only have no meaning for an array of setae: they follow a limit point of a beam",
+                "Omit them: each value is pulled as a whole.",
+                "--part divides sweeps of beams, and this is one of arrays of setae",
+            ],
             Described::Rate(..) => [
                 "--follow and --peak-only have no meaning for a pull at a rate: they follow a limit point of equilibria",
                 "Omit them: each value is pulled as a whole.",
@@ -140,7 +143,9 @@ impl Analysis for Sweep<'_> {
                     (Rows::Solids(rows), taken)
                 }
                 Described::Array(_) => {
-                    return Err(Refusal::asked(NO_SWEEP, "Give its values one by one, with --set."));
+                    let of = |case: &Case| of_array(&case.scene, session);
+                    let (rows, taken) = self.rows(session, &journal, &of, pull_row)?;
+                    (Rows::Arrays(rows), taken)
                 }
                 Described::Seta(_) => {
                     let of = |case: &Case| pull_off(&case.scene, &setae, session);
@@ -175,7 +180,7 @@ impl SceneRows {
         Self { setae: Setae::like(scene) }
     }
 
-    /// The row of a scene as one JSON object: of its peel, as a beam or as a solid, of the pull-off of its seta, or of its pull at a rate. Its value is
+    /// The row of a scene as one JSON object: of its peel, as a beam or as a solid, of the pull-off of its seta, of the pull of its array, or of its pull at a rate. Its value is
     /// 0, because nothing says what is varied. Called from any thread.
     ///
     /// Fails where a number is not finite.
@@ -189,7 +194,10 @@ impl SceneRows {
                 let (found, solve_s) = timed(|| solid(scene, session));
                 PullRow { value: 0.0, second: None, found, solve_s }.to_json()
             }
-            Described::Array(_) => Err(io::Error::other(NO_SWEEP)),
+            Described::Array(_) => {
+                let (found, solve_s) = timed(|| of_array(scene, session));
+                PullRow { value: 0.0, second: None, found, solve_s }.to_json()
+            }
             Described::Seta(_) => {
                 let (found, solve_s) = timed(|| pull_off(scene, &self.setae, session));
                 PullRow { value: 0.0, second: None, found, solve_s }.to_json()
@@ -202,8 +210,6 @@ impl SceneRows {
     }
 }
 
-/// Of an array of setae.
-const NO_SWEEP: &str = "an array of setae is pulled by `peel run` alone";
 /// Of a scene that is of another kind than those beside it.
 const OTHER_KIND: &str = "the value makes another kind of scene";
 
@@ -234,6 +240,13 @@ fn solid(scene: &Scene, session: &Session) -> Result<SolidResult, String> {
     let Described::Solid(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
     let peel = peeled(scene, table, session.stop_of_one(scene));
     peel.map(|peel| SolidResult::from(&peel)).map_err(|error| error.to_string())
+}
+
+/// The pull of the array of a scene, or why there is none.
+fn of_array(scene: &Scene, session: &Session) -> Result<ArrayResult, String> {
+    let Described::Array(table) = scene.describes() else { return Err(OTHER_KIND.to_owned()) };
+    let pull = pulled_array(scene, table, &session.stop_of_one(scene))?;
+    Ok(ArrayResult::new(table, &pull))
 }
 
 fn pull_row<F>(Found { case, found, solve_s }: Found<Result<F, String>>) -> PullRow<F> {

@@ -7,7 +7,7 @@ use crate::outcome::{End, Outcome, by};
 use peelkit::study::{FollowedSweep, Remark, SetaResult};
 use peelkit_report::{
     self as report, Journal, PartHeader, PullRow, RateResult, Record, ReportError, SolidResult, SweepPart, SweepRow,
-    SweepSummary, SweptKeys, seta_end_reason,
+    SweepSummary, SweptArray, SweptKeys, seta_end_reason,
 };
 use peelkit_scene::Scene;
 use std::io;
@@ -21,6 +21,8 @@ pub enum Rows {
     Setae(Vec<PullRow<SetaResult>>),
     /// The peel of a solid
     Solids(Vec<PullRow<SolidResult>>),
+    /// The pull of an array of setae
+    Arrays(Vec<SweptArray>),
     /// A pull at a rate
     Rates(Vec<PullRow<RateResult>>),
     /// A point that is followed, with the seconds that each took
@@ -51,6 +53,7 @@ impl SweepOutcome {
             Rows::Peels(rows) => no_effect::seen(keys, rows),
             Rows::Setae(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Solids(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
+            Rows::Arrays(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Rates(rows) => no_effect::of_alike(keys, rows.len(), alike(rows)),
             Rows::Followed(..) => None,
         });
@@ -63,6 +66,7 @@ impl SweepOutcome {
             Rows::Peels(rows) => rows.len(),
             Rows::Setae(rows) => rows.len(),
             Rows::Solids(rows) => rows.len(),
+            Rows::Arrays(rows) => rows.len(),
             Rows::Rates(rows) => rows.len(),
             // it is not stopped
             Rows::Followed(..) => self.values,
@@ -80,6 +84,7 @@ impl SweepOutcome {
             Rows::Solids(rows) => {
                 failed_pulls(self.keys, rows, |found| found.reason.clone().filter(|_| found.has_failed))
             }
+            Rows::Arrays(rows) => failed_pulls(self.keys, rows, |_| None),
             Rows::Rates(rows) => failed_pulls(self.keys, rows, |found| found.failed.clone()),
             Rows::Followed(sweep, _) => {
                 let lost = |remark: &&Remark| matches!(remark, Remark::NotFound { .. });
@@ -94,6 +99,7 @@ impl SweepOutcome {
             Rows::Peels(rows) => report::write_sweep(dir, self.keys, rows),
             Rows::Setae(rows) => report::write_swept_setae(dir, self.keys, rows),
             Rows::Solids(rows) => report::write_swept_solids(dir, self.keys, rows),
+            Rows::Arrays(rows) => report::write_swept_arrays(dir, self.keys, rows),
             Rows::Rates(rows) => report::write_swept_rates(dir, self.keys, rows),
             Rows::Followed(sweep, seconds) => report::write_followed(dir, self.keys.first, sweep, seconds),
         }
@@ -113,6 +119,9 @@ impl SweepOutcome {
             }
             Rows::Solids(rows) if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.peak.is_some())) => {
                 report::draw_swept_solids(dir, keys, rows, title, log)
+            }
+            Rows::Arrays(rows) if rows.iter().any(|row| row.found.is_ok()) => {
+                report::draw_swept_arrays(dir, keys, rows, title, log)
             }
             Rows::Rates(rows)
                 if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.failed.is_none())) =>
@@ -143,6 +152,7 @@ impl Outcome for SweepOutcome {
             Rows::Peels(rows) => text(SweepSummary::new(scene, keys, rows, remarks), command),
             Rows::Setae(rows) => text(SweepSummary::of_setae(scene, keys, rows, remarks), command),
             Rows::Solids(rows) => text(SweepSummary::of_solids(scene, keys, rows, remarks), command),
+            Rows::Arrays(rows) => text(SweepSummary::of_arrays(scene, keys, rows, remarks), command),
             Rows::Rates(rows) => text(SweepSummary::of_rates(scene, keys, rows, remarks), command),
             Rows::Followed(sweep, seconds) => text(SweepSummary::followed(scene, keys.first, sweep, seconds), command),
         }

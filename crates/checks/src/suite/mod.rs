@@ -13,6 +13,7 @@ mod solid;
 mod space;
 mod spatula;
 mod strip;
+mod toe;
 
 pub use crate::check::{Check, Measure, Topic};
 
@@ -31,6 +32,7 @@ pub const TOPICS: &[Topic] = &[
     space::grip::TOPIC,
     ground::TOPIC,
     solid::TOPIC,
+    toe::TOPIC,
     accuracy::orders::TOPIC,
     accuracy::bounds::TOPIC,
 ];

@@ -8,6 +8,7 @@ pub(crate) mod of_many;
 pub(crate) mod peel;
 pub(crate) mod rate;
 pub(crate) mod seta;
+pub(crate) mod seta_law;
 pub(crate) mod solid;
 mod stability;
 pub(crate) mod units;

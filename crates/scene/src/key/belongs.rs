@@ -1,7 +1,7 @@
 //! Which keys a scene may hold, and what is said of the others.
 
 use super::kind::{Key, Kind};
-use super::table::{ADHESION, SETA, SUBSTRATE};
+use super::table::{ADHESION, SETA, SETAE, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
@@ -23,6 +23,8 @@ enum Misfit {
     Law,
     /// It follows from the table of the law.
     OfTable,
+    /// It follows from the law of its setae.
+    OfSeta,
     /// Its beam, or its seta, has another key in place of this one.
     Beside(&'static str, &'static str),
 }
@@ -49,6 +51,9 @@ impl Key {
         }
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
+        }
+        if follows_from_law(scene, self) {
+            return Some(Misfit::OfSeta);
         }
         if self.table == SETA.name
             && let Some(other) = in_place_of(scene, self.name)
@@ -101,7 +106,7 @@ impl Key {
             Misfit::BesideArray => ValueError::new(
                 "is given, and the scene has [setae], an array, which has no such key",
                 format!(
-                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive] and `time` of [bounds]."
+                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive], `time` of [bounds], [optimise] and [uncertainty]."
                 ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(
@@ -143,6 +148,9 @@ impl Key {
                 "is given beside `law` = \"table\", from whose rows it follows",
                 format!("Remove `{name}`, or use another `law`."),
             ),
+            Misfit::OfSeta => {
+                ValueError::new("is given beside `law`, from which it follows", format!("Remove `{name}`, or `law`."))
+            }
             Misfit::Beside(other, body) => ValueError::new(
                 format!("is given beside `{table}.{other}`, and the {body} has one geometry"),
                 format!("Remove one of `{name}` and `{other}`."),
@@ -184,4 +192,15 @@ pub(crate) fn in_place_of(scene: &Scene, name: &str) -> Option<&'static str> {
         ("diameters", !seta.diameters.is_empty(), &OF_DIAMETERS),
     ];
     lists.into_iter().find(|(_, is_given, names)| *is_given && names.contains(&name)).map(|(key, ..)| key)
+}
+
+// -- The law of setae in place of its numbers --
+
+/// Keys that say by numbers what `law` says by a potential.
+const BY_NUMBERS: [&str; 5] = ["stiffness", "tangential_stiffness", "reach", "last_reach", "exit_angle"];
+
+/// Whether a key of the setae says by a number what the law of the scene has.
+fn follows_from_law(scene: &Scene, key: &Key) -> bool {
+    let has_law = scene.array.as_ref().is_some_and(|table| table.fitted.is_some());
+    has_law && key.table == SETAE.name && BY_NUMBERS.contains(&key.name)
 }

@@ -31,7 +31,7 @@ impl Table {
     /// Whether a scene of an array of setae has a key of it.
     pub(crate) fn stands_beside_setae(&self, name: &str) -> bool {
         match self.name {
-            "setae" | "patch" | "lamella" | "toe" => true,
+            "setae" | "patch" | "lamella" | "toe" | "optimise" | "uncertainty" => true,
             "bounds" => name == "time",
             "" => name == "title",
             "drive" => name == "angle",

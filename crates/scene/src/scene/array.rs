@@ -1,5 +1,6 @@
 //! An array of setae as data: the table `setae`, and what they stand on, `patch`, `lamella` or `toe`.
 
+use peelkit::study::coarsening::SetaLaw;
 use peelkit::toe::Scatter;
 
 /// What a load on a band is.
@@ -38,6 +39,8 @@ pub struct ArrayTable {
     pub last_reach: Option<f64>,
     /// Along what its reach is measured, rad from the ground
     pub exit_angle: f64,
+    /// The law that was made of a resolved seta; none: the numbers above
+    pub fitted: Option<FittedSeta>,
     /// F_n = F_s tan α is the most that a seta holds; for the critical angle of a lamella alone
     pub cone_angle: Option<f64>,
     /// How setae differ
@@ -56,6 +59,15 @@ pub struct ArrayTable {
     pub lamella: Option<LamellaTable>,
     /// A pad
     pub toe: Option<ToeTable>,
+}
+
+/// The law of a resolved seta.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedSeta {
+    /// Its potential and its exit
+    pub law: SetaLaw,
+    /// The text that it was read from
+    pub text: String,
 }
 
 /// A rigid backing.
@@ -112,6 +124,7 @@ impl Default for ArrayTable {
             reach: 5140.0,
             last_reach: None,
             exit_angle: 90.0 * 1f64.to_radians(),
+            fitted: None,
             cone_angle: None,
             scatter: Scatter::default(),
             seed: 0.0,

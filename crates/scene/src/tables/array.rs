@@ -1,10 +1,14 @@
 //! An array of setae: what of it cannot be computed, and what is computed of it.
 
 use crate::error::{Origin, SceneError, ValueError};
+use crate::key::kind::Setting;
 use crate::scene::Scene;
-use crate::scene::array::{ArrayTable, BandLoad};
+use crate::scene::array::{ArrayTable, BandLoad, FittedSeta};
+use crate::value::form::Form;
+use crate::value::seta_law::read_seta_law;
+use crate::value::{Fault, Value};
 use peelkit::analytic::{pretensioned_force, self_peeling_tension};
-use peelkit::study::coarsening::ExitPlane;
+use peelkit::study::coarsening::{ExitPlane, SetaSheet};
 use peelkit::toe::{
     ArrayDrive, ArrayError, Backing, BandSection, Lamella, Patch, PatchStep, RootLaw, Scatter, SetaArray, Toe,
 };
@@ -14,11 +18,28 @@ use std::ops::Range;
 /// The table of the setae.
 pub(crate) const TABLE: &str = "setae";
 
+/// `law`
+pub(crate) static LAW: Setting = Setting {
+    takes: "the name of a folder in quotes that `peel coarsen` of a seta has written, beside the scene, or the text of its seta_law.toml",
+    brief: "a folder",
+    example: "\"../out/seta-law\"",
+    form: || Form::Text,
+    read: |scene, value, _| {
+        let Value::Text(text) = value else {
+            return Err(Fault::whole(format!("is {value}, and takes the name of a folder in quotes")));
+        };
+        let (law, text) = read_seta_law(&scene.name, text).map_err(Fault::whole)?;
+        scene.array_table().fitted = Some(FittedSeta { law, text });
+        Ok(())
+    },
+    write: |scene, _| Some(Value::Text(scene.array.as_ref()?.fitted.as_ref()?.text.clone())),
+};
+
 /// That a scene is one of an array, where something else is asked for.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of an array of setae, which `peel run` alone computes; here a single beam is peeled",
-        "Give the scene to `peel run`.",
+        "is a table of an array of setae, and here a single beam is peeled",
+        "Give the scene to `peel run`, `sweep`, `optimise` or `uncertainty`.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
 }
@@ -26,6 +47,9 @@ pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
 impl ArrayTable {
     /// The law of a seta.
     pub fn law(&self) -> RootLaw {
+        if let Some(fitted) = &self.fitted {
+            return RootLaw::Fitted(fitted.law.clone());
+        }
         let Self { stiffness, reach, .. } = *self;
         let upright = (self.exit_angle - FRAC_PI_2).abs() < 1e-12;
         match (self.last_reach, self.tangential_stiffness) {
@@ -38,6 +62,14 @@ impl ArrayTable {
                 RootLaw::Held { stiffness: [[along.unwrap_or(0.0), 0.0], [0.0, stiffness]], exit }
             }
         }
+    }
+
+    /// The most that a seta holds where it is lifted straight, nN; of a law by numbers along its exit. None where a lift does not lead to the exit.
+    pub fn strength(&self) -> Option<f64> {
+        let Some(FittedSeta { law, .. }) = &self.fitted else { return Some(self.stiffness * self.reach) };
+        let nearer = law.exit.direction[1];
+        let at = [0.0, law.exit.distance / nearer];
+        (nearer > 0.0).then(|| law.response(SetaSheet::Adhering, at).force[1])
     }
 
     fn scatter(&self) -> Scatter {
@@ -147,6 +179,14 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         }
     }
     let error = scene.seta_array(table)?.check().err()?;
+    if table.fitted.is_some() && error == ArrayError::NotLinear {
+        let found = format!("cannot be computed: {error}");
+        return of(
+            "setae.law",
+            found,
+            "Give a law by `peel coarsen` of the seta with --degree 2, or stand the setae on a [patch].",
+        );
+    }
     let (key, remedy) = match &error {
         ArrayError::Unattached { .. } if table.patch.is_some_and(|patch| patch.dome_radius.is_some()) => {
             ("patch.press", "Give more.")

@@ -2,6 +2,7 @@
 
 pub(crate) mod form;
 pub(crate) mod quantity;
+pub(crate) mod seta_law;
 pub(crate) mod steps;
 pub(crate) mod swc;
 pub(crate) mod table;

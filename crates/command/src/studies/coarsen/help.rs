@@ -11,6 +11,7 @@ Examples:
   peel coarsen spatula.toml
   peel coarsen spatula.toml --rotation '-20 deg,20 deg' --press '100 nm' --tolerance 1e-4
   peel coarsen spatula.toml --set grip.horizontal=fixed --lateral '-20 nm,10 nm'
+  peel coarsen seta.toml --set seta.lateral_stiffness='1 N/m' --out out/seta-law
 
 The end of the spatula is held at a height u, at a place v along the substrate and at a rotation θ, all from where
 it is in the stress-free configuration. Computed is its energy E(u, v, θ); forces and moment are its gradient. The
@@ -30,5 +31,16 @@ Files:
   tip_law.svg, .png   normal force against displacement, for several θ and v
 
 The tips of a seta follow the table with seta.tip_law = \"table\"; seta.tip_table names the folder.
+
+A scene with a [seta] gives the law of the seta: what holds its root, E(u, v), a potential of degree --degree. The root
+is pulled at 15 to 105 degrees until the first tip lets go. These places lie on a plane, u·d = c, behind which the law
+has the seta detached. Its errors are stated, with each path left out as well. The pull and the steps of the scene play
+no part.
+
+  summary.json        exit plane, stiffness, errors of each degree, and the scene
+  seta_law.toml       coefficients, exit plane, errors, the seta, and a check sum
+  seta_paths.csv      one row for each equilibrium: force of the resolved seta, and by the law
+
+Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2.
 
 Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";

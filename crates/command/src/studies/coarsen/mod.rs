@@ -1,4 +1,4 @@
-//! `peel coarsen`: the law of a tip of a seta, from the spatula of a scene.
+//! `peel coarsen`: the law of a tip of a seta, from the spatula of a scene, or that of the seta.
 
 mod help;
 mod range;
@@ -11,19 +11,19 @@ use crate::terminal::stop::Stop;
 use crate::text_summary;
 use clap::Args;
 use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
-use peelkit_analyses::TipCoarsening;
-use peelkit_scene::{Dimension, Scene};
+use peelkit_analyses::{SetaLawCoarsening, TipCoarsening};
+use peelkit_scene::{Described, Dimension, Scene};
 
-/// Computes the force law of a tip of a seta from its spatula, as a table with error bounds
+/// Computes the law of a tip of a seta from its spatula, or that of a whole seta
 #[derive(Args)]
 #[command(after_help = help::SHORT, after_long_help = help::LONG)]
 pub struct Coarsen {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Error wanted of forces and moment, relative to the largest
-    #[arg(long, value_name = "X", default_value_t = 1e-3)]
-    tolerance: f64,
+    /// Error wanted of forces and moment, relative to the largest [default: 1e-3]
+    #[arg(long, value_name = "X")]
+    tolerance: Option<f64>,
 
     /// How far the tip is pressed [default: 50 nm; 5 nm if the pad is held]
     ///
@@ -39,6 +39,10 @@ pub struct Coarsen {
     #[arg(long, value_name = "FROM,TO", allow_hyphen_values = true)]
     rotation: Option<String>,
 
+    /// Degree of the law of a seta: 2, 3 or 4; a band takes 2
+    #[arg(long, value_name = "N")]
+    degree: Option<usize>,
+
     #[command(flatten)]
     out: OutArgs,
 
@@ -50,7 +54,8 @@ pub struct Coarsen {
 impl Coarsen {
     /// What is asked of the table of a scene.
     fn options(&self, scene: &Scene) -> Result<CoarseningOptions, Stop> {
-        let mut options = CoarseningOptions { tolerance: self.tolerance, ..TipCoarsening::usual(scene) };
+        let tolerance = self.tolerance.unwrap_or(1e-3);
+        let mut options = CoarseningOptions { tolerance, ..TipCoarsening::usual(scene) };
         if let Some(text) = &self.press {
             options.range.press = range::number("--press", text, Dimension::Length)?;
         }
@@ -71,7 +76,19 @@ impl Coarsen {
 }
 
 pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.load_any()?;
+    match scene.describes() {
+        Described::Seta(_) => return of_seta(args, &scene),
+        Described::Peel => {}
+        // the reader of peels says why it is none
+        _ => _ = args.scene.load()?,
+    }
+    if args.degree.is_some() {
+        return Err(Stop::bad_input(
+            "--degree is of no use: the law of a tip is a table, and that of a seta alone has a degree",
+            "Omit it, or give a scene with a [seta].",
+        ));
+    }
     let coarsening = TipCoarsening::of(&scene, args.options(&scene)?).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
         scene: &scene,
@@ -83,4 +100,28 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
         answer: Some("stopping at the next equilibrium of the spatula; Ctrl-C again stops at once"),
     };
     drive.run(&coarsening, |found| text_summary::of_many::tip::tip(&scene.title, &found.table, found.seconds))
+}
+
+/// The law of a whole seta.
+fn of_seta(args: &Coarsen, scene: &Scene) -> Result<(), Stop> {
+    let of_tips = [("--press", &args.press), ("--lateral", &args.lateral), ("--rotation", &args.rotation)];
+    let range = of_tips.iter().find(|(_, given)| given.is_some()).map(|(option, _)| *option);
+    if let Some(option) = range.or(args.tolerance.map(|_| "--tolerance")) {
+        return Err(Stop::bad_input(
+            format!("{option} is of no use: it is one of the law of a tip, and the scene has a [seta]"),
+            "Omit it, or give the scene of a spatula.",
+        ));
+    }
+    let degree = args.degree.unwrap_or(2);
+    let coarsening = SetaLawCoarsening::of(scene, degree).map_err(|why| Stop::refused(scene, why))?;
+    let drive = Drive {
+        scene,
+        out: &args.out,
+        folder: args.out.folder(args.json, || args.scene.default_folder(&["law".to_owned()])),
+        fresh: false,
+        json: args.json,
+        bar: Bar::spinner("pulling the root of the seta"),
+        answer: Some("stopping at the next equilibrium of the seta; Ctrl-C again stops at once"),
+    };
+    drive.run(&coarsening, |outcome| text_summary::seta_law::seta_law(&scene.title, &outcome.found))
 }

@@ -59,6 +59,7 @@ pub fn table(scene: &Scene, found: &SweepOutcome, wanted: WantedUnits) -> String
         Rows::Peels(rows) => text_summary::of_many::sweep::sweep(scene, keys, rows, remarks, wanted),
         Rows::Setae(rows) => text_summary::of_many::swept_pulls::swept_setae(scene, keys, rows, remarks, wanted),
         Rows::Solids(rows) => text_summary::solid::swept_solids(scene, keys, rows, remarks, wanted),
+        Rows::Arrays(rows) => text_summary::array::swept_arrays(scene, keys, rows, remarks, wanted),
         Rows::Rates(rows) => text_summary::of_many::swept_pulls::swept_rates(scene, keys, rows, remarks, wanted),
         Rows::Followed(sweep, seconds) => {
             text_summary::of_many::sweep::followed(scene, keys.first, sweep, seconds, wanted)

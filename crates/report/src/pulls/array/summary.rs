@@ -23,6 +23,7 @@ impl Record for ArrayFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
         of.field("end", "`detached`; `mechanism`: what adheres is one row, about which the band swings; `no-further-exit`: no seta comes nearer to its exit; `bound`: `bounds.time` has passed", |found| array_end_word(found.pull.end));
+        of.field("reason", "why it ended, where it stopped short", |found| array_end_reason(found.pull));
         of.field("load", "what grows: `force`, nN, with its lift in nm; or `moment`, nN nm, with its lift in rad", |found| if found.is_moment() { "moment" } else { "force" });
         of.field("setae", "how many", |found| found.pull.setae);
         of.field("detached", "how many of them detach", |found| found.pull.detached);
@@ -40,7 +41,7 @@ impl Record for ArrayFound<'_> {
         of.field("released_aJ", "energy that all events release", |found| found.pull.released);
         of.field("imbalance", "largest difference of work and of stored and released energy, over the work; 0 of a patch, whose work is their sum", |found| found.pull.imbalance);
         of.group("closed_forms", "what the computed is held against; null where a form does not apply", |of| {
-            of.field("equal_sharing_nN", "strength of all setae together along their exits, k u_c N", |found| found.table.stiffness * found.table.reach * found.pull.setae as f64);
+            of.field("equal_sharing_nN", "strength of all setae together along their exits, k u_c N; of a fitted law where they are lifted straight", |found| found.table.strength().map(|own| own * found.pull.setae as f64));
             of.field("lambda_pitch", "λp of the band on its rows: smeared laws err by about as much", |found| found.lambda().map(|(lambda, band)| lambda * band.pitch));
             of.field("half_infinite", "load at the first loss at the end of a half-infinite, smeared band: a force f/(2λp(1 + λa)), or a moment f/(2λ²p)", |found| found.half_infinite());
             of.field("steady_force_nN", "force of the band as a tape that peels steadily at `drive.angle`, with its tension", |found| found.table.steady_force(found.angle));
@@ -69,7 +70,7 @@ impl ArrayFound<'_> {
     }
 
     fn half_infinite(&self) -> Option<f64> {
-        let (lambda, band) = self.lambda()?;
+        let (lambda, band) = self.lambda().filter(|_| self.table.fitted.is_none())?;
         let (strength, lamella) = (band.row_stiffness()[1][1] * self.table.reach, self.table.lamella?);
         match lamella.load {
             BandLoad::Force if band.pulled_at.is_none_or(|row| row == 0) => {
@@ -116,6 +117,19 @@ pub fn array_end_word(end: ArrayEnd) -> &'static str {
         ArrayEnd::Mechanism => "mechanism",
         ArrayEnd::NoFurtherExit => "no-further-exit",
         ArrayEnd::Events | ArrayEnd::Stopped => "bound",
+    }
+}
+
+/// Why a pull stopped short, in words; nothing where it did not.
+pub fn array_end_reason(pull: &ArrayPull) -> Option<String> {
+    match pull.end {
+        ArrayEnd::NoFurtherExit => {
+            Some("no seta comes nearer to its exit as the load grows: change the direction of the load".to_owned())
+        }
+        ArrayEnd::Events | ArrayEnd::Stopped => {
+            Some(format!("bounds.time has passed after {} events: the peak may lie ahead", pull.events.len()))
+        }
+        ArrayEnd::Detached | ArrayEnd::Mechanism => None,
     }
 }
 

@@ -1,7 +1,7 @@
 //! The tables of the pull of an array: curve.csv, events.csv and rows.csv.
 
 use crate::writing::error::ReportError;
-use crate::writing::record::{Fields, Record, write_table};
+use crate::writing::record::{Cell, Fields, Record, columns_of, write_table};
 use crate::writing::reference::Output;
 use peelkit::toe::{ArrayEvent, ArrayPull, ArrayRow};
 use std::path::{Path, PathBuf};
@@ -90,6 +90,14 @@ pub fn write_array_tables(dir: &Path, pull: &ArrayPull) -> Result<Vec<PathBuf>, 
         write_table(dir, "events.csv", events.iter())?,
         write_table(dir, "rows.csv", rows.iter())?,
     ])
+}
+
+/// The columns of curve.csv, events.csv and rows.csv, each with its cells.
+pub fn array_columns(pull: &ArrayPull) -> [Vec<(String, Vec<Cell>)>; 3] {
+    let points: Vec<CurvePoint> = curve(pull).into_iter().map(|(lift, load)| CurvePoint { lift, load }).collect();
+    let events: Vec<Numbered> = pull.events.iter().enumerate().map(|(k, event)| Numbered(k + 1, event)).collect();
+    let rows: Vec<RowAtPeak> = pull.rows.iter().enumerate().map(|(k, row)| RowAtPeak(k + 1, row)).collect();
+    [columns_of(points.iter()), columns_of(events.iter()), columns_of(rows.iter())]
 }
 
 pub(super) fn outputs() -> Vec<Output> {

@@ -2,6 +2,7 @@
 
 pub(crate) mod fit;
 pub(crate) mod optimisation;
+pub(crate) mod seta_law;
 pub(crate) mod sweep;
 pub(crate) mod tip;
 pub(crate) mod tip_law;
@@ -11,5 +12,13 @@ use crate::writing::reference::Output;
 
 /// What is written of them.
 pub(crate) fn outputs() -> Vec<Output> {
-    [sweep::outputs(), fit::outputs(), optimisation::outputs(), uncertainty::outputs(), tip::outputs()].concat()
+    [
+        sweep::outputs(),
+        fit::outputs(),
+        optimisation::outputs(),
+        uncertainty::outputs(),
+        tip::outputs(),
+        seta_law::outputs(),
+    ]
+    .concat()
 }

@@ -1,0 +1,109 @@
+//! The law of a whole seta, from the seta of a scene: pulls of its root in several directions, each until its first tip lets go.
+
+use crate::outcome::{Analysis, End, Outcome, Refusal, by};
+use crate::pulls::seta::{Setae, options};
+use crate::session::Session;
+use peelkit::study::coarsening::{RootPath, SetaLaw, SetaLawError};
+use peelkit::study::{SetaLoading, StopCriteria};
+use peelkit_report::{self as report, ReportError, SetaLawFound, SetaLawSummary, timed};
+use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
+use rayon::prelude::*;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Directions of the pulls, degrees from the ground.
+const DIRECTIONS: [f64; 7] = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0];
+/// Which the law may have.
+const DEGREES: [usize; 3] = [2, 3, 4];
+/// No tip holds on so far, nm.
+const FAR: f64 = 60_000.0;
+
+/// The law of a seta, as a potential, from the seta of a scene.
+pub struct SetaLawCoarsening<'s> {
+    scene: &'s Scene,
+    table: &'s SetaTable,
+    degree: usize,
+}
+
+impl<'s> SetaLawCoarsening<'s> {
+    /// Of the seta of a scene, with a potential of degree 2, 3 or 4.
+    ///
+    /// Fails where the scene has no seta, its tips follow a table, or it is pulled at a rate, and at another degree.
+    pub fn of(scene: &'s Scene, degree: usize) -> Result<Self, Refusal> {
+        let table = scene.seta.as_ref().ok_or_else(|| Refusal::scene("it has no table [seta]", "Add one."))?;
+        if scene.time.is_some() {
+            return Err(Refusal::scene(
+                "the law of a seta is one of equilibria, and the scene has [time]",
+                "Remove [time].",
+            ));
+        }
+        if table.tip_law == SetaTipLaw::Table {
+            return Err(Refusal::scene(
+                "the law of a seta is made of tips that follow the curve of their pull, and here they follow a table",
+                "Give --set seta.tip_law=curve.",
+            ));
+        }
+        if !DEGREES.contains(&degree) {
+            let found = SetaLawError::Degree { degree }.to_string();
+            return Err(Refusal::asked(found, "Give --degree 2, 3 or 4; a band takes 2."));
+        }
+        Ok(Self { scene, table, degree })
+    }
+
+    fn path(&self, setae: &Setae, angle: f64, stop: &StopCriteria) -> Result<RootPath, Refusal> {
+        let model = setae.model(self.scene, self.table).map_err(|why| Refusal::scene(why, "Change the tips."))?;
+        let loading = SetaLoading::pull([angle.cos(), angle.sin(), 0.0], FAR);
+        RootPath::resolved(&model, &loading, &options(self.scene), stop).map_err(|why| match why {
+            SetaLawError::Stopped(_) => Refusal::CutShort(format!("{why}; nothing is written")),
+            why => {
+                let degrees = angle.to_degrees();
+                Refusal::scene(
+                    format!("pulled at {degrees:.0} deg to the ground, {why}"),
+                    "Change the seta as it says.",
+                )
+            }
+        })
+    }
+}
+
+/// The law of a seta.
+pub struct SetaLawOutcome {
+    /// The law, its errors and what it is made of
+    pub found: SetaLawFound,
+}
+
+impl Analysis for SetaLawCoarsening<'_> {
+    type Found = SetaLawOutcome;
+
+    fn run(&self, session: &Session) -> Result<SetaLawOutcome, Refusal> {
+        session.stage("pulls of the root of the seta");
+        let (setae, stop) = (Setae::like(self.scene), session.stop(self.scene));
+        setae.prepare(self.scene, &stop);
+        let (paths, seconds) = timed(|| {
+            let angles = DIRECTIONS.par_iter().map(|degrees| degrees.to_radians());
+            let path = |angle| self.path(&setae, angle, &stop).map(|path| (angle, path));
+            angles.map(path).collect::<Result<Vec<_>, Refusal>>()
+        });
+        let paths = paths?;
+        let alone: Vec<RootPath> = paths.iter().map(|(_, path)| path.clone()).collect();
+        let law = SetaLaw::fitted(&alone, self.degree).map_err(|why| Refusal::scene(why, "Give another --degree."))?;
+        let by_degree = DEGREES.map(|degree| SetaLaw::fitted(&alone, degree).ok().map(|law| law.errors));
+        Ok(SetaLawOutcome { found: SetaLawFound { law, by_degree, paths, seconds } })
+    }
+}
+
+impl Outcome for SetaLawOutcome {
+    fn json(&self, scene: &Scene, command: Option<&str>) -> io::Result<String> {
+        by(SetaLawSummary::new(scene, &self.found), command, SetaLawSummary::with_command).to_json()
+    }
+
+    fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let mut files = vec![SetaLawSummary::new(scene, &self.found).with_command(command).write(dir)?];
+        files.extend(report::write_seta_law(dir, scene, &self.found)?);
+        Ok(files)
+    }
+
+    fn end(&self) -> End {
+        End::Done
+    }
+}

@@ -1,0 +1,180 @@
+//! The law of a seta as files: seta_law.toml, which `setae.law` reads, seta_paths.csv, the resolved paths of its root, and the object summary.json.
+
+use crate::records::summary::{Found, Summary};
+use crate::writing::error::ReportError;
+use crate::writing::file::write_whole;
+use crate::writing::record::write_table;
+use crate::writing::record::{Fields, Record};
+use crate::writing::reference::Output;
+use peelkit::study::coarsening::{RootPath, RootPoint, SetaLaw, SetaLawErrors, SetaSheet};
+use peelkit_scene::{CHECK, KEYS, Key, SETA_LAW, Scene, Value};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// The tables of a scene that make a seta.
+const OF: [&str; 3] = ["seta", "spatula", "adhesion"];
+
+/// The law of a seta, and what it is made of.
+#[derive(Clone, Debug)]
+pub struct SetaLawFound {
+    /// The law that is written
+    pub law: SetaLaw,
+    /// Errors of laws of degree 2, 3 and 4 of the same paths; none where the paths do not determine one
+    pub by_degree: [Option<SetaLawErrors>; 3],
+    /// Directions of the pulls, rad from the ground, and their paths
+    pub paths: Vec<(f64, RootPath)>,
+    /// That it took
+    pub seconds: f64,
+}
+
+/// What a scene says of its seta and its tips, a line a key: the law of another seta has others.
+pub fn seta_lines(scene: &Scene) -> Vec<String> {
+    let own = KEYS.iter().filter(|key| OF.contains(&key.table) && key.belongs_to(scene));
+    let line = |key: &Key| {
+        let value = match key.value(scene)? {
+            Value::Number(number) => format!("{number:?}"),
+            other => other.to_string(),
+        };
+        Some(format!("{} = {value}", key.label()))
+    };
+    own.filter_map(line).collect()
+}
+
+/// The law as a text, with the seta of a scene that it is of.
+pub fn seta_law_text(law: &SetaLaw, scene: &Scene) -> String {
+    let list = |numbers: &[f64]| {
+        let all: Vec<String> = numbers.iter().map(|number| format!("{number:?}")).collect();
+        format!("[{}]", all.join(", "))
+    };
+    let mut text = format!(
+        "# The law of a seta: E(u, v) = sum of a_ij (u/s)^i (v/s)^j while all tips adhere, up to u d_x + v d_y = c; behind it the seta is detached.\n\
+         # u is the way of its root along the ground, v off it, in nm; E in aJ. a_ij by rising i + j, and by falling i where that is the same.\n\
+         degree = {}\nscale_nm = {:?}\ncoefficients_aJ = {}\n",
+        law.degree,
+        law.scale,
+        list(&law.coefficients)
+    );
+    let SetaLawErrors { force, force_left_out, exit, exit_left_out } = law.errors;
+    let numbers = [
+        ("exit_nm", law.exit.distance),
+        ("largest_force_nN", law.largest_force),
+        ("force_error", force),
+        ("force_error_left_out", force_left_out),
+        ("exit_error", exit),
+        ("exit_error_left_out", exit_left_out),
+    ];
+    _ = writeln!(text, "exit_direction = {}", list(&law.exit.direction));
+    numbers.iter().for_each(|(name, number)| _ = writeln!(text, "{name} = {number:?}"));
+    text += "# the seta\nof = [\n";
+    for line in seta_lines(scene) {
+        _ = writeln!(text, "  {},", serde_json::Value::from(line));
+    }
+    text += "]\n";
+    let check = crc32fast::hash(text.as_bytes());
+    text + &format!("{CHECK}\"{check:08x}\"\n")
+}
+
+/// A point of a path.
+struct PathRow<'a> {
+    law: &'a SetaLaw,
+    angle: f64,
+    point: &'a RootPoint,
+}
+
+impl PathRow<'_> {
+    fn by_law(&self) -> [f64; 2] {
+        self.law.response(SetaSheet::Adhering, self.point.root).force
+    }
+}
+
+impl Record for PathRow<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("angle_deg", "of the pull to the ground", |row| row.angle.to_degrees());
+        of.field("along_nm", "u: of the root along the ground", |row| row.point.root[0]);
+        of.field("normal_nm", "v: of the root off the ground", |row| row.point.root[1]);
+        of.field("along_force_nN", "that holds the root of the resolved seta along the ground", |row| row.point.force[0]);
+        of.field("normal_force_nN", "the same off the ground", |row| row.point.force[1]);
+        of.field("energy_aJ", "of the resolved seta, against being detached", |row| row.point.energy);
+        of.field("law_along_force_nN", "∂E/∂u of the law", |row| row.by_law()[0]);
+        of.field("law_normal_force_nN", "∂E/∂v of the law", |row| row.by_law()[1]);
+    }
+}
+
+/// Errors of a law.
+struct Errors<'a>(&'a SetaLawErrors);
+
+impl Record for Errors<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force", "largest difference of the force from that of the resolved seta, over the largest force", |errors| errors.0.force);
+        of.field("force_left_out", "the same of each path by the law of all others: what is to be expected between them", |errors| errors.0.force_left_out);
+        of.field("exit", "largest distance of a first loss from the exit plane, over c", |errors| errors.0.exit);
+        of.field("exit_left_out", "the same of each path by the plane of all others", |errors| errors.0.exit_left_out);
+    }
+}
+
+impl Record for SetaLawFound {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("end", "`converged`", |_| "converged");
+        of.field("law_of", "`seta`: what holds the root of a whole seta; the law of a tip has other keys", |_| "seta");
+        of.field("degree", "of the potential", |found| found.law.degree);
+        of.field("exit_nm", "c: the first tip lets go where u d_x + v d_y = c", |found| found.law.exit.distance);
+        of.field("exit_deg", "angle of d to the ground", |found| found.law.exit.direction[1].atan2(found.law.exit.direction[0]).to_degrees());
+        of.field("soft_nN_per_nm", "smaller eigenvalue of the stiffness where the root has not moved", |found| found.stiffness()[0]);
+        of.field("stiff_nN_per_nm", "larger eigenvalue", |found| found.stiffness()[1]);
+        of.field("largest_force_nN", "of all paths: what errors of forces are measured by", |found| found.law.largest_force);
+        of.field("errors", "of the law", |found| Errors(&found.law.errors));
+        of.field("degree_2", "errors of a law of degree 2 of the same paths, which a band takes; null where they do not determine it", |found| found.by_degree[0].as_ref().map(Errors));
+        of.field("degree_3", "of degree 3", |found| found.by_degree[1].as_ref().map(Errors));
+        of.field("degree_4", "of degree 4", |found| found.by_degree[2].as_ref().map(Errors));
+        of.field("paths", "pulls of the root, each followed until its first tip lets go", |found| found.paths.len());
+        of.field("equilibria", "on all of them", |found| found.paths.iter().map(|(_, path)| path.points.len()).sum::<usize>());
+        of.field("solve_s", "time of the computation", |found| found.seconds);
+    }
+}
+
+impl SetaLawFound {
+    /// Eigenvalues of the stiffness where the root has not moved, the smaller one first, nN/nm.
+    pub fn stiffness(&self) -> [f64; 2] {
+        let [[a, b], [_, c]] = self.law.response(SetaSheet::Adhering, [0.0; 2]).stiffness;
+        let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
+        [mean - half, mean + half]
+    }
+}
+
+impl Found for &SetaLawFound {
+    const PARAMETERS: &'static str = "the scene as it was computed";
+}
+
+/// A law of a seta as one object.
+pub type SetaLawSummary<'a> = Summary<'a, &'a SetaLawFound>;
+
+impl<'a> SetaLawSummary<'a> {
+    /// The summary of the law of the seta of a scene.
+    pub fn new(scene: &'a Scene, found: &'a SetaLawFound) -> Self {
+        Summary::of(scene, found)
+    }
+}
+
+/// Writes seta_law.toml and seta_paths.csv.
+///
+/// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
+pub fn write_seta_law(dir: &Path, scene: &Scene, found: &SetaLawFound) -> Result<Vec<PathBuf>, ReportError> {
+    let path = dir.join(SETA_LAW);
+    write_whole(&path, seta_law_text(&found.law, scene).as_bytes())?;
+    let rows = found
+        .paths
+        .iter()
+        .flat_map(|(angle, path)| path.points.iter().map(|point| PathRow { law: &found.law, angle: *angle, point }));
+    Ok(vec![path, write_table(dir, "seta_paths.csv", rows)?])
+}
+
+/// The table and the object.
+pub(crate) fn outputs() -> Vec<Output> {
+    vec![
+        Output::object("peel coarsen of a seta", SetaLawSummary::keys()),
+        Output::table("seta_paths.csv", PathRow::keys()),
+    ]
+}

@@ -1,0 +1,86 @@
+//! The law of a seta as a text, which `peel coarsen` of a seta writes and `setae.law` reads.
+
+use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
+use std::fs;
+use std::path::Path;
+use toml::{Table, Value as Toml};
+
+/// The file of the law in its folder.
+pub const SETA_LAW: &str = "seta_law.toml";
+/// What its last line begins with: a check sum of all before it follows.
+pub const CHECK: &str = "check = ";
+/// A law has less than a thousandth of that.
+const MOST_BYTES: u64 = 1_000_000;
+
+/// Reads the law of a seta, and the lines of the seta that it is of.
+///
+/// ```
+/// let error = peelkit_scene::parse_seta_law("degree = 2\n").unwrap_err();
+/// assert_eq!(error, "has no check sum in its last line: it is not whole, or not the law of a seta");
+/// ```
+pub fn parse_seta_law(text: &str) -> Result<(SetaLaw, Vec<String>), String> {
+    let whole = text.trim_end();
+    let last = whole.rfind('\n').map_or(0, |end| end + 1);
+    let (before, check) = whole.split_at(last);
+    let check = check.strip_prefix(CHECK).map(|check| check.trim_matches('"'));
+    let check = check.ok_or("has no check sum in its last line: it is not whole, or not the law of a seta")?;
+    let found = format!("{:08x}", crc32fast::hash(before.as_bytes()));
+    if check != found {
+        return Err(format!("has been changed: its check sum is {found}, and its last line says {check}"));
+    }
+    let table: Table = before.parse().map_err(|error: toml::de::Error| format!("is no TOML: {}", error.message()))?;
+    let number = |name: &str| table.get(name).and_then(number_of).ok_or_else(|| format!("lacks the number {name}"));
+    let list = |name: &str| {
+        let items = table.get(name).and_then(Toml::as_array);
+        let all = items.and_then(|items| items.iter().map(number_of).collect::<Option<Vec<f64>>>());
+        all.ok_or_else(|| format!("lacks the list of numbers {name}"))
+    };
+    let (degree, coefficients) = (number("degree")?, list("coefficients_aJ")?);
+    let degree = if [2.0, 3.0, 4.0].contains(&degree) { degree as usize } else { 0 };
+    let wanted = (degree + 1) * (degree + 2) / 2;
+    if degree == 0 || coefficients.len() != wanted {
+        return Err(format!("has {} coefficients of degree {degree}, and {wanted} belong to it", coefficients.len()));
+    }
+    let direction = list("exit_direction")?;
+    let direction = direction.try_into().map_err(|_| "has no exit_direction of two numbers".to_owned())?;
+    let lines = table.get("of").and_then(Toml::as_array).map(|lines| lines.iter().filter_map(Toml::as_str));
+    let lines = lines.ok_or("lacks the list of")?.map(str::to_owned).collect();
+    let law = SetaLaw {
+        degree,
+        scale: number("scale_nm")?,
+        coefficients,
+        exit: ExitPlane { direction, distance: number("exit_nm")? },
+        largest_force: number("largest_force_nN")?,
+        errors: SetaLawErrors {
+            force: number("force_error")?,
+            force_left_out: number("force_error_left_out")?,
+            exit: number("exit_error")?,
+            exit_left_out: number("exit_error_left_out")?,
+        },
+    };
+    Ok((law, lines))
+}
+
+fn number_of(value: &Toml) -> Option<f64> {
+    value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).filter(|number| number.is_finite())
+}
+
+/// The law that a value gives, a text of several lines or a folder beside the scene, and its text.
+pub(crate) fn read_seta_law(scene: &str, value: &str) -> Result<(SetaLaw, String), String> {
+    if value.contains('\n') {
+        let (law, _) = parse_seta_law(value)?;
+        return Ok((law, value.to_owned()));
+    }
+    if value.trim().is_empty() {
+        return Err("is empty".to_owned());
+    }
+    let path = Path::new(scene).parent().unwrap_or(Path::new("")).join(value).join(SETA_LAW);
+    let shown = path.display();
+    let size = fs::metadata(&path).map_err(|error| format!("names {shown}, which cannot be read: {error}"))?.len();
+    if size > MOST_BYTES {
+        return Err(format!("names {shown}, which has {size} bytes and is no law of a seta"));
+    }
+    let text = fs::read_to_string(&path).map_err(|error| format!("names {shown}, which cannot be read: {error}"))?;
+    let (law, _) = parse_seta_law(&text).map_err(|why| format!("names {shown}, which {why}"))?;
+    Ok((law, text))
+}

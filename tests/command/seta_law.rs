@@ -1,0 +1,130 @@
+//! The law of a seta: `peel coarsen` of a scene with a seta makes it, `setae.law` reads it.
+//!
+//!      v |    / u·d = c: behind it the seta is detached
+//!        |  /
+//!        |/____ u
+//!
+//! Reference: a spring of the numbers of scenes/patch.toml, written as a law of degree 2: arrays have to be those of the numbers, to rounding. A seta
+//! with two tips that slide lets go where u_n has one value, at any angle. Expected: the files agree with one another; a law that does not fit
+//! is refused with what would.
+
+use crate::peel::{is_refused, run, scene};
+use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
+use peelkit_report::seta_law_text;
+use peelkit_scene::{SETA_LAW, Scene, parse_seta_law};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+const STIFFNESS: f64 = 0.08837;
+const REACH: f64 = 5142.67;
+
+fn json(dir: &Path, arguments: &[&str]) -> Value {
+    let (status, text, trouble) = run(dir, &[arguments, &["--json"]].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    serde_json::from_str(&text).unwrap()
+}
+
+/// A spring along the normal, and as stiff a one along the ground, as a text.
+fn spring() -> String {
+    let half = 0.5 * STIFFNESS * REACH * REACH;
+    let coefficients = vec![0.0, 0.0, 0.0, half, 0.0, half];
+    let exit = ExitPlane { direction: [0.0, 1.0], distance: REACH };
+    let errors = SetaLawErrors::default();
+    let law = SetaLaw { degree: 2, scale: REACH, coefficients, exit, largest_force: STIFFNESS * REACH, errors };
+    let path = scene("seta");
+    let seta = Scene::parse_any(&path, &fs::read_to_string(&path).unwrap(), &[]).unwrap();
+    let text = seta_law_text(&law, &seta);
+    let (read, lines) = parse_seta_law(&text).unwrap();
+    assert_eq!(read, law);
+    assert!(lines.contains(&"seta.forks = 8.0".to_owned()), "{lines:?}");
+    text
+}
+
+/// A scene of an array without the numbers of its setae, with their law.
+fn by_law(name: &str) -> String {
+    let text = fs::read_to_string(scene(name)).unwrap();
+    let numbers = ["stiffness =", "reach =", "tangential_stiffness ="];
+    let kept = text.lines().filter(|line| !numbers.iter().any(|number| line.starts_with(number)));
+    kept.collect::<Vec<_>>().join("\n").replace("[setae]", "[setae]\nlaw = \"law\"")
+}
+
+#[test]
+fn arrays_by_a_law_are_those_by_its_numbers() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| dir.path().join(name);
+    fs::create_dir(at("law")).unwrap();
+    fs::write(at("law").join(SETA_LAW), spring()).unwrap();
+    for (name, lines) in [("patch", "[setae]\nrows = 20\n"), ("lamella", "[setae]\ncolumns = 20\n")] {
+        // as stiff along the ground as off it
+        let own = format!("setae.tangential_stiffness={STIFFNESS} N/m");
+        let small = lines.lines().nth(1).unwrap().replace(' ', "");
+        let smaller = format!("setae.{small}");
+        let numbers = json(dir.path(), &["run", &scene(name), "--set", &smaller, "--set", &own]);
+        fs::write(at("array.toml"), by_law(name)).unwrap();
+        let law = json(dir.path(), &["run", "array.toml", "--set", &smaller, "--out", name]);
+        for pointer in ["/peak/load", "/peak/event", "/work_aJ", "/released_aJ", "/closed_forms/equal_sharing_nN"] {
+            let number = |of: &Value| of.pointer(pointer).and_then(Value::as_f64).unwrap();
+            let (one, other) = (number(&numbers), number(&law));
+            assert!((one / other - 1.0).abs() < 1e-9, "{name} {pointer}: {one} {other}");
+        }
+        // what is written has the law in it, and needs no folder
+        fs::rename(at("law"), at("elsewhere")).unwrap();
+        let again = json(dir.path(), &["run", at(name).join("parameters.toml").to_str().unwrap()]);
+        assert_eq!((&again["peak"], &again["events"]), (&law["peak"], &law["events"]));
+        fs::rename(at("elsewhere"), at("law")).unwrap();
+    }
+    // a folder beside a scene, a number beside the law, and what is no law
+    let refused = |set: &str, words: &str| is_refused(dir.path(), &["run", "array.toml", "--set", set], &[words]);
+    refused("setae.law=none", "names none/seta_law.toml, which cannot be read");
+    refused("setae.reach=5 um", "is given beside `law`, from which it follows");
+    refused("setae.law=", "is empty");
+    for (from, to, words) in [
+        ("exit_nm = 5142.67", "exit_nm = 6142.67", "has been changed: its check sum is"),
+        ("degree = 2", "degree = 3", "has been changed"),
+        ("check = ", "# check = ", "has no check sum in its last line"),
+    ] {
+        fs::create_dir_all(at("bad")).unwrap();
+        fs::write(at("bad").join(SETA_LAW), spring().replace(from, to)).unwrap();
+        refused("setae.law=bad", words);
+    }
+}
+
+#[test]
+fn the_law_of_a_small_seta() {
+    let dir = tempfile::tempdir().unwrap();
+    let small = ["--set", "seta.forks=1", "--set", "accuracy.relative=1e-4"];
+    let path = scene("seta");
+    let coarsen = [&["coarsen", &path][..], &small].concat();
+    let (status, text, trouble) = run(dir.path(), &[&coarsen, &["--degree", "4", "--out", "law"][..]].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    assert!(text.contains("law of a seta") && text.contains("along 90.000 deg"), "{text}");
+    let folder = dir.path().join("law");
+    let summary: Value = serde_json::from_slice(&fs::read(folder.join("summary.json")).unwrap()).unwrap();
+    let number = |pointer: &str| summary.pointer(pointer).and_then(Value::as_f64).unwrap();
+    assert_eq!((&summary["law_of"], summary["paths"].as_u64()), (&Value::from("seta"), Some(7)));
+    assert_eq!(summary["errors"], summary["degree_4"]);
+    assert!(number("/degree_4/force") < number("/degree_2/force") && number("/exit_deg") - 90.0 < 1e-6);
+    let (law, _) = parse_seta_law(&fs::read_to_string(folder.join(SETA_LAW)).unwrap()).unwrap();
+    assert_eq!((law.degree, law.exit.distance), (4, number("/exit_nm")));
+    // the stated error is the largest of the table
+    let mut rows = csv::Reader::from_path(folder.join("seta_paths.csv")).unwrap();
+    let off = |row: Vec<f64>| (row[3] - row[6]).hypot(row[4] - row[7]);
+    let largest = rows.deserialize().map(|row| off(row.unwrap())).fold(0.0, f64::max);
+    assert!((largest / law.largest_force / number("/errors/force") - 1.0).abs() < 1e-9);
+    // a patch takes it, a band does not
+    let law = format!("law = \"{}\"", folder.display());
+    for name in ["patch", "lamella"] {
+        let text = by_law(name).replace("law = \"law\"", &law).replace("= 60", "= 6").replace("= 360", "= 4");
+        fs::write(dir.path().join(format!("{name}.toml")), text.replace("\"1 um\"", "\"10 nm\"")).unwrap();
+    }
+    assert_eq!(json(dir.path(), &["run", "patch.toml"])["detached"], 36);
+    is_refused(dir.path(), &["run", "lamella.toml"], &["a band takes a potential of degree 2"]);
+    let refused = |arguments: &[&str], words: &str| {
+        is_refused(dir.path(), &[&["coarsen", &scene("seta")][..], arguments].concat(), &[words]);
+    };
+    refused(&["--degree", "5"], "degree 5 is asked");
+    refused(&["--press", "1 nm"], "--press is of no use");
+    refused(&["--set", "seta.tip_law=table"], "tips that follow the curve");
+    is_refused(dir.path(), &["coarsen", &scene("spatula"), "--degree", "2"], &["--degree is of no use"]);
+}
