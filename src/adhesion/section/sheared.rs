@@ -14,7 +14,8 @@
 
 use super::calibrated::Cohesive;
 use crate::number::Real;
-use std::f64::consts::E;
+use crate::number::root::Bracket;
+use std::f64::consts::{E, FRAC_1_SQRT_2};
 
 /// A cohesive law with a shear strength, on level ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +46,13 @@ impl ShearedLaw {
     /// The stiffness along the ground of a closed face that has not slipped, 2w/δ_t², nN/nm³.
     pub fn stiffness(&self) -> f64 {
         2.0 * self.cohesive.work() / self.slip_scale.powi(2)
+    }
+
+    /// The slip beyond which a thousandth of the shear strength is not reached, nm.
+    pub fn slip_reach(&self) -> f64 {
+        let slips = Bracket { low: FRAC_1_SQRT_2, high: 10.0 };
+        let holds = |slip: f64| (2.0 * E).sqrt() * slip * (-slip * slip).exp() > 1e-3;
+        self.slip_scale * slips.bisected(holds, |left| left.width() <= 1e-12 * left.high).high
     }
 
     /// The response of a section of this height (nm) whose axis has slipped by `slip` and lies h/2 above the `gap` (nm), with the rotation θ given as
@@ -161,6 +169,9 @@ mod tests {
         let largest = traction(law.slip_scale / 2.0_f64.sqrt());
         assert_relative_eq!(largest, 0.6 * PAPER.strength(), max_relative = 1e-13);
         assert!([0.7, 0.71].iter().all(|&t| traction(t * law.slip_scale) < largest));
+        let reach = law.slip_reach();
+        assert_relative_eq!(traction(reach), 1e-3 * largest, max_relative = 1e-9);
+        assert!(reach > law.slip_scale);
         let energy = |t: f64| at(&law, [t, law.cohesive.closed, 0.0]).energy;
         assert_relative_eq!(energy(9.0 * law.slip_scale) - energy(0.0), PAPER.work_of_adhesion(), max_relative = 1e-13);
         let stiffness = at(&law, [0.0, law.cohesive.closed, 0.0]).tangent[0][0];

@@ -68,8 +68,9 @@ pub struct PlanarBeam {
     pub history: Option<Arc<History>>,
     /// Whether the load has a potential.
     pub conservative: bool,
-    /// Whether the adhesion holds it along the ground. The load then depends on x - S, and the first integral is that of this displacement.
-    pub sheared: bool,
+    /// How far a face slips until nothing attracts it, nm, where the adhesion holds it along the ground. The load then depends on x - S, and the first
+    /// integral is that of this displacement.
+    pub slip_reach: Option<f64>,
     /// Where its model ends.
     pub limits: ModelLimits,
     /// Its mass and how its material flows, where it moves in time.
@@ -232,9 +233,22 @@ impl PlanarBeam {
         self.barrier.clearance(self.nearest(at))
     }
 
-    /// Whether no part of the beam is nearer to the substrate than `far`, nm.
+    /// Whether all of the beam is farther from the substrate than `far`, nm, or has slipped so far that nothing attracts it.
     pub fn is_clear(&self, at: &State, far: f64) -> bool {
-        self.distances(at).all(|distance| distance > far)
+        self.beyond(at, far) > 0.0
+    }
+
+    /// How much farther than `far` the beam is from the substrate where it is nearest, nm. Where its adhesive holds it along the ground that is its
+    /// bonded face, and one that has slipped beyond its reach, by a share of that, is by the same share of `far` beyond it.
+    pub fn beyond(&self, at: &State, far: f64) -> f64 {
+        let Some(reach) = self.slip_reach else { return self.nearest(at) - far };
+        let places = self.places(&at.mesh.boundaries);
+        let each = self.nodes(&at.values).chunks_exact(self.fields()).zip(places).map(|(node, place)| {
+            let (half, (sin, cos)) = (0.5 * self.height_at(place), node[self.rotation].sin_cos());
+            let (distance, slip) = (node[self.rotation - 1] + half * (1.0 - cos), (node[0] + half * sin - place).abs());
+            (distance - far).max(far * (slip / reach - 1.0))
+        });
+        each.fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of each node from the substrate, nm.

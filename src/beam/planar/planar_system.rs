@@ -156,7 +156,7 @@ impl System for PlanarBeam {
 
     /// S, for the place along the ground of a beam that is held there.
     fn counted_from(&self, at: &State) -> Option<Vec<f64>> {
-        self.sheared.then(|| {
+        self.slip_reach.map(|_| {
             let mut from = vec![0.0; at.values.len()];
             let fields = self.fields();
             from.chunks_exact_mut(fields)

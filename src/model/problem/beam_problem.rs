@@ -105,6 +105,14 @@ impl Beam {
         }
     }
 
+    /// How much farther than `far` the beam is from what attracts it, nm.
+    pub fn beyond(&self, at: &State, far: f64) -> f64 {
+        match self {
+            Self::Planar(beam) => beam.beyond(at, far),
+            Self::Spatial(beam) => beam.nearest(at) - far,
+        }
+    }
+
     /// Distance of the beam from the substrate, nm.
     pub fn nearest(&self, at: &State) -> f64 {
         match self {

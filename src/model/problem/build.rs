@@ -170,7 +170,7 @@ impl PeelModel {
             height,
             sees_tilt: law.line_load != LineLoad::AxisGap,
             barrier: law.barrier(),
-            sheared: self.adhesion.shear_strength.is_some(),
+            slip_reach: self.adhesion.sheared_law().map(|law| law.slip_reach()),
             conservative: law.has_potential() && friction.is_none(),
             limits: self.limits(),
             inertia: None,

@@ -137,7 +137,7 @@ impl RodModel {
             barrier: Barrier::Pole,
             substrate: Substrate::Flat,
             history: None,
-            sheared: false,
+            slip_reach: None,
             conservative: true,
             limits: ModelLimits::default(),
             inertia: None,

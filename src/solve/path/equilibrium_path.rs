@@ -164,12 +164,15 @@ impl<'p> Path<'p> {
     /// The next point; a path that is watched and cannot be continued goes on by what is left of its observables.
     fn step(&mut self) -> Result<Solution, PathError> {
         let branch = self.branch;
-        let stepped = self.step_noticing();
-        if stepped.is_ok() || self.options.pace != Pace::Watchful || self.notice == Notice::OfRest {
-            return stepped;
+        let mut stepped = self.step_noticing();
+        while stepped.is_err()
+            && self.options.pace == Pace::Watchful
+            && let Some(finer) = self.notice.finer()
+        {
+            (self.notice, self.branch) = (finer, branch);
+            stepped = self.step_noticing().or(stepped);
         }
-        (self.notice, self.branch) = (Notice::OfRest, branch);
-        self.step_noticing().or(stepped)
+        stepped
     }
 
     fn step_noticing(&mut self) -> Result<Solution, PathError> {
@@ -214,7 +217,7 @@ impl<'p> Path<'p> {
                             (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
                         }
                     } else if turned
-                        || self.notice == Notice::OfRest && self.leads_back(&next)
+                        || self.notice != Notice::OfScale && self.leads_back(&next)
                         || next.correction > REFUSE * self.step_tolerance() && points.len() > 1
                     {
                         (cause, step) = (refused, step * 0.4);

@@ -8,6 +8,8 @@ use serde::{Deserialize, Serialize};
 const NOTICED: f64 = 1e-3;
 /// The least value that measures one by what is left of it, over its scale.
 const LEAST: f64 = 1e-9;
+/// Changes that are noticed on a cusp, over those that are elsewhere.
+const ON_CUSP: f64 = 1e-2;
 
 /// What changes of an observable are noticed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,6 +20,9 @@ pub enum Notice {
     /// The same of its value, where that is less than its scale: where next to nothing adheres any more, the front still changes by all that is
     /// left of it, and the displacement turns with it.
     OfRest,
+    /// The same of a hundredth of that: where a tape that its adhesive holds hangs by its edge, the displacement turns on a cusp over which the front
+    /// changes by a ten thousandth of what is left of it.
+    OfCusp,
 }
 
 impl Notice {
@@ -26,6 +31,16 @@ impl Notice {
         match self {
             Self::OfScale => NOTICED * scale,
             Self::OfRest => NOTICED * value.abs().clamp(LEAST * scale, scale),
+            Self::OfCusp => ON_CUSP * Self::OfRest.least(value, scale),
+        }
+    }
+
+    /// What is noticed where that does not suffice.
+    pub fn finer(self) -> Option<Self> {
+        match self {
+            Self::OfScale => Some(Self::OfRest),
+            Self::OfRest => Some(Self::OfCusp),
+            Self::OfCusp => None,
         }
     }
 }
@@ -112,5 +127,6 @@ mod tests {
         assert_relative_eq!(Notice::OfRest.least(-1e-4, 1.0), 1e-7);
         assert_relative_eq!(Notice::OfRest.least(50.0, 1.0), Notice::OfScale.least(50.0, 1.0));
         assert!(Notice::OfRest.least(0.0, 2.0) > 0.0);
+        assert_relative_eq!(Notice::OfCusp.least(1e-4, 1.0), 1e-9);
     }
 }

@@ -4,7 +4,7 @@ use super::assembly::{NO_ACCURACY, Whole, differences, force_round_off, report};
 use super::equilibrium_path::path_end::Followed;
 use super::result::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
 use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
-use super::solution_history::{LimitPoint, SolutionHistory};
+use super::solution_history::{LimitPoint, PathPoint, SolutionHistory};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -134,9 +134,19 @@ impl Attempt {
 
     /// Where the path was lost, if it cannot be continued.
     pub(super) fn lost(&self) -> Option<Lost> {
-        let newest =
-            self.peel.points.last().filter(|_| matches!(self.trouble, Some(Path(_))) && self.beyond.is_none())?;
-        Some(Lost { displacement: newest.displacement, force: newest.force })
+        let stopped = matches!(self.trouble, Some(Path(_))) && self.beyond.is_none();
+        self.peel.points.last().filter(|_| stopped).map(|last| self.lost_at(last))
+    }
+
+    /// The same where a limit point is missing, or what tells of one.
+    pub(super) fn missing(&self) -> Option<Lost> {
+        let after = self.trouble.as_ref().and_then(PathFailure::after);
+        self.lost().or_else(|| self.peel.points.get(after?).map(|before| self.lost_at(before)))
+    }
+
+    fn lost_at(&self, point: &PathPoint) -> Lost {
+        let largest = self.peel.points.iter().map(|point| point.force.abs()).fold(0.0, f64::max);
+        Lost { displacement: point.displacement, force: point.force, largest }
     }
 
     /// The section that is so nearly upright that the elements do not resolve it, where the path ends at one.
@@ -370,6 +380,8 @@ const SAME_PLACE: f64 = 1e-3;
 pub(super) struct Lost {
     pub(super) displacement: f64,
     pub(super) force: f64,
+    /// The largest force on the path, nN
+    pub(super) largest: f64,
 }
 
 impl Lost {
@@ -377,6 +389,12 @@ impl Lost {
     pub(super) fn is_near(&self, other: &Self) -> bool {
         let near = |one: f64, other: f64| (one - other).abs() <= SAME_PLACE * one.abs();
         near(self.displacement, other.displacement) && near(self.force, other.force)
+    }
+
+    /// The same where the force is small beside the largest one, as of a tape that hangs by its edge: neither mesh knows it better than that.
+    pub(super) fn is_near_by_largest(&self, other: &Self) -> bool {
+        let place = (self.displacement - other.displacement).abs() <= SAME_PLACE * self.displacement.abs();
+        place && (self.force - other.force).abs() <= SAME_PLACE * self.largest
     }
 }
 
@@ -387,10 +405,13 @@ mod lost_tests {
     /// On a plateau the force is the same everywhere, and on the way back the displacement is passed twice: both count.
     #[test]
     fn the_same_place_has_the_same_force_and_displacement() {
-        let lost = Lost { displacement: 4.108591, force: 0.0343317 };
-        assert!(lost.is_near(&Lost { displacement: 4.108925, force: 0.0343314 }));
+        let lost = Lost { displacement: 4.108591, force: 0.0343317, largest: 1.0 };
+        assert!(lost.is_near(&Lost { displacement: 4.108925, force: 0.0343314, ..lost }));
         assert!(!lost.is_near(&Lost { displacement: 4.15, ..lost }));
         assert!(!lost.is_near(&Lost { force: 0.0344, ..lost }));
+        assert!(lost.is_near_by_largest(&Lost { force: 0.0344, ..lost }));
+        assert!(!lost.is_near_by_largest(&Lost { force: 0.0364, ..lost }));
+        assert!(!lost.is_near_by_largest(&Lost { displacement: 4.15, ..lost }));
     }
 }
 

@@ -91,10 +91,16 @@ pub(super) fn on_meshes(
         budget,
         lost: None,
         lost_again: None,
+        is_held: problem.beam.planar().is_some_and(|beam| beam.slip_reach.is_some()),
+        hangs: false,
         wholes: Vec::new(),
     };
     let mut best: Option<Attempt> = None;
     for &pace in paces {
+        // a held tape is lost where it hangs by its edge, where its path has a cusp that is seen at the watchful pace alone
+        if meshes.hangs && pace == Pace::Wary {
+            continue;
+        }
         // a fixed mesh that is too coarse is so at any pace: watched, a path begins on the one that came farthest
         let farthest = best.as_ref().filter(|_| pace == Pace::Watchful && mesh != MeshKind::Moving);
         let farthest = farthest.map(|best| best.peel.effort.elements);
@@ -162,6 +168,10 @@ struct Meshes<'r> {
     lost: Option<Lost>,
     /// The elements of the mesh on which the path was lost where it had been lost before.
     lost_again: Option<usize>,
+    /// Whether its adhesive holds the beam along the ground.
+    is_held: bool,
+    /// Whether two meshes have lost such a path at one place.
+    hangs: bool,
     /// The limit points of every path that could be used.
     wholes: Vec<Whole>,
 }
@@ -222,9 +232,12 @@ impl Meshes<'_> {
     /// Whether the path was lost where the mesh before had lost it: then the mesh is not to blame, and the next pace goes on from this one. Watched,
     /// a path comes past such a place on one mesh and not on another.
     fn is_lost_again(&mut self, attempt: &Attempt, pace: Pace) -> bool {
-        let lost = attempt.lost();
+        let hangs = pace == Pace::Quick && self.is_held;
+        let lost = if hangs { attempt.missing() } else { attempt.lost() };
         let before = std::mem::replace(&mut self.lost, lost);
-        let again = pace != Pace::Watchful && lost.zip(before).is_some_and(|(lost, before)| lost.is_near(&before));
+        let near = |(lost, before): (Lost, Lost)| lost.is_near(&before) || hangs && lost.is_near_by_largest(&before);
+        let again = pace != Pace::Watchful && lost.zip(before).is_some_and(near);
+        self.hangs |= hangs && again;
         if again {
             self.lost_again = Some(attempt.peel.effort.elements);
         }

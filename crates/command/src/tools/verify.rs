@@ -34,7 +34,7 @@ pub struct Verify {
 
     /// What is sampled; all kinds unless given
     ///
-    /// Kinds: strip, angle, spatula, law, space, oblique, friction, rough, rate, seta, observed, tape.
+    /// Kinds: strip, angle, spatula, law, space, oblique, friction, rough, rate, seta, observed, tape, held.
     #[arg(long, value_name = "KIND")]
     kind: Option<String>,
 

@@ -173,7 +173,7 @@ fn planar(beam: &PlanarBeam, at: &State) -> f64 {
     // H x' becomes H (x' - 1)
     let displaced = |node: &NodeState| node.first_integral() - node.section.horizontal_force;
     let nodes = sections.iter().flatten();
-    if beam.sheared { range(nodes.map(displaced)) } else { range(nodes.map(NodeState::first_integral)) }
+    if beam.slip_reach.is_some() { range(nodes.map(displaced)) } else { range(nodes.map(NodeState::first_integral)) }
 }
 
 /// Forces along the ground spread by round-off alone, up to 2e-9 of the adhesion in a strip that is 40 nm wide: what the first integral has of

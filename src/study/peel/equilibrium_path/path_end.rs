@@ -288,7 +288,7 @@ impl Followed {
         let n = self.points.len();
         let segment = PathSegment::around(problem, &self.points, n - 2);
         let mut ws = Workspace::default();
-        let beyond = |s: &Solution| problem.beam.nearest(&s.at) - far;
+        let beyond = |s: &Solution| problem.beam.beyond(&s.at, far);
         let (mut low, mut high) = ((0.0, beyond(&self.points[n - 2])), (segment.end(), beyond(&self.points[n - 1])));
         for _ in 0..MOST_SECANTS {
             let label = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).clamp(0.0, segment.end());
