@@ -217,7 +217,7 @@ impl<'p> Path<'p> {
                             (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
                         }
                     } else if turned
-                        || self.notice != Notice::OfScale && self.leads_back(&next)
+                        || self.notice != Notice::Scale && self.leads_back(&next)
                         || next.correction > REFUSE * self.step_tolerance() && points.len() > 1
                     {
                         (cause, step) = (refused, step * 0.4);

@@ -16,31 +16,31 @@ const ON_CUSP: f64 = 1e-2;
 pub enum Notice {
     /// Those that are no smaller than a share of its scale.
     #[default]
-    OfScale,
+    Scale,
     /// The same of its value, where that is less than its scale: where next to nothing adheres any more, the front still changes by all that is
     /// left of it, and the displacement turns with it.
-    OfRest,
+    Rest,
     /// The same of a hundredth of that: where a tape that its adhesive holds hangs by its edge, the displacement turns on a cusp over which the front
     /// changes by a ten thousandth of what is left of it.
-    OfCusp,
+    Cusp,
 }
 
 impl Notice {
     /// The least change that is noticed of an observable of this value and scale.
     fn least(self, value: f64, scale: f64) -> f64 {
         match self {
-            Self::OfScale => NOTICED * scale,
-            Self::OfRest => NOTICED * value.abs().clamp(LEAST * scale, scale),
-            Self::OfCusp => ON_CUSP * Self::OfRest.least(value, scale),
+            Self::Scale => NOTICED * scale,
+            Self::Rest => NOTICED * value.abs().clamp(LEAST * scale, scale),
+            Self::Cusp => ON_CUSP * Self::Rest.least(value, scale),
         }
     }
 
     /// What is noticed where that does not suffice.
     pub fn finer(self) -> Option<Self> {
         match self {
-            Self::OfScale => Some(Self::OfRest),
-            Self::OfRest => Some(Self::OfCusp),
-            Self::OfCusp => None,
+            Self::Scale => Some(Self::Rest),
+            Self::Rest => Some(Self::Cusp),
+            Self::Cusp => None,
         }
     }
 }
@@ -123,10 +123,10 @@ mod tests {
     /// Of a front of which a ten thousandth is left, changes of a thousandth of that are noticed; of one that is whole, those of its scale, either way.
     #[test]
     fn what_is_left_is_noticed_by_its_own_size() {
-        assert_relative_eq!(Notice::OfScale.least(1e-4, 1.0), 1e-3);
-        assert_relative_eq!(Notice::OfRest.least(-1e-4, 1.0), 1e-7);
-        assert_relative_eq!(Notice::OfRest.least(50.0, 1.0), Notice::OfScale.least(50.0, 1.0));
-        assert!(Notice::OfRest.least(0.0, 2.0) > 0.0);
-        assert_relative_eq!(Notice::OfCusp.least(1e-4, 1.0), 1e-9);
+        assert_relative_eq!(Notice::Scale.least(1e-4, 1.0), 1e-3);
+        assert_relative_eq!(Notice::Rest.least(-1e-4, 1.0), 1e-7);
+        assert_relative_eq!(Notice::Rest.least(50.0, 1.0), Notice::Scale.least(50.0, 1.0));
+        assert!(Notice::Rest.least(0.0, 2.0) > 0.0);
+        assert_relative_eq!(Notice::Cusp.least(1e-4, 1.0), 1e-9);
     }
 }

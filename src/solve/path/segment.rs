@@ -47,11 +47,11 @@ impl PathSegment {
             let around = points[index.saturating_sub(2)..index + 2].iter().map(|p| &p.observables);
             Metric::of(problem, notice, &from.observables, around)
         };
-        let metric = measured(Notice::OfScale);
+        let metric = measured(Notice::Scale);
         let turns = [from, to].iter().any(|p| metric.cosine(&secant, &p.slope) <= 0.0);
         // the displacement measures no path that turns with it
         let alone = index > 0 && turns && metric.notices_displacement_alone(problem);
-        let metric = if alone { measured(Notice::OfRest) } else { metric };
+        let metric = if alone { measured(Notice::Rest) } else { metric };
         // at rest the front does not move yet: its square root is no label
         let weights = if index == 0 {
             metric.weights(&Observables { displacement: secant.displacement, ..Observables::default() })
