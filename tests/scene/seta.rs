@@ -167,7 +167,7 @@ fn numbers_out_of_range_and_near_misses_are_named() {
     assert_eq!((error.place(), error.key()), (Some("seta.toml, line 2"), Some("seta")));
     assert!(
         error.problem().contains(
-            "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute"
+            "is a table of a scene that `peel run`, `sweep`, `coarsen`, `fit`, `optimise` and `uncertainty` alone compute"
         ),
         "{error}"
     );

@@ -17,7 +17,7 @@ pub(crate) const TABLE: &str = "seta";
 /// That a scene is one of a seta, where a single beam is peeled.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of a scene that `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone compute; here a single beam is peeled",
+        "is a table of a scene that `peel run`, `sweep`, `coarsen`, `fit`, `optimise` and `uncertainty` alone compute; here a single beam is peeled",
         "Give the scene to one of them, or remove [seta] to peel one of its tips.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
