@@ -218,17 +218,21 @@ impl Seta {
         place
     }
 
+    /// Area (nm²) and second moment of area (nm⁴) of the branch that ends at a joint.
+    fn round_section(&self, joint: usize) -> (f64, f64) {
+        let diameter = self.branch_diameter(joint);
+        (PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0)
+    }
+
     /// Of the branch that ends at a joint.
     fn stiffness(&self, joint: usize) -> SpatialStiffness {
-        let diameter = self.branch_diameter(joint);
-        let (area, second) = (PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0);
+        let (area, second) = self.round_section(joint);
         SpatialStiffness::isotropic(&self.material, area, [second; 2], 2.0 * second)
     }
 
     /// ρA, and ρJ about the axis, the width and the height, of a branch of the tree, by its number; ρ in 1e-18 kg/nm³.
     pub fn section_inertia(&self, branch: usize, density: f64) -> [f64; 4] {
-        let diameter = self.branch_diameter(branch + 1);
-        let (area, second) = (PI * diameter.powi(2) / 4.0, PI * diameter.powi(4) / 64.0);
+        let (area, second) = self.round_section(branch + 1);
         [area, 2.0 * second, second, second].map(|of| density * of)
     }
 
