@@ -23,7 +23,9 @@ def small_seta(root: Path) -> peelkit.Scene:
     return peelkit.Scene.read("scenes/seta.toml").with_(SMALL)
 
 
-def compared(found: peelkit.PullOff | peelkit.PullAtRate | peelkit.SolidPeel, printed: dict[str, Any], folder: Path) -> None:
+def compared(
+    found: peelkit.PullOff | peelkit.PullAtRate | peelkit.SolidPeel | peelkit.ArrayPull, printed: dict[str, Any], folder: Path
+) -> None:
     """The result against what the command has printed and written."""
     assert comparable(found.summary()) == comparable(printed)
     table, written = found.curve.to_pandas(), columns(folder / "curve.csv")
