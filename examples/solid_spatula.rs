@@ -1,6 +1,7 @@
 //! The pull-off of a spatula as a solid in space: its curve on two meshes, its peak on stations of 1 nm, and what they cost.
 //!
-//!     cargo run --release --example solid_spatula            # the curve up to u = 250 nm
+//!     cargo run --release --example solid_spatula            # the beginning of the curve, up to u = 25 nm, on one mesh
+//!     cargo run --release --example solid_spatula -- curve   # up to u = 250 nm, on two
 //!     cargo run --release --example solid_spatula -- peak    # and on to the peak
 
 use peelkit::model::{FineZone, Hold, PeelModel, SolidSpatulaSettings, Spatula};
@@ -46,27 +47,32 @@ fn show(name: &str, point: &SolidPullPoint, pull: &SolidPull, begun: Instant) {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let to_peak = std::env::args().any(|word| word == "peak");
+    let asked = std::env::args().nth(1);
     let mut model: PeelModel = Spatula::default().model();
     model.grip.rotation = Hold::Fixed;
     model.adhesion.far_face = false;
     let settings = SolidSpatulaSettings::default();
     let coarse = Arc::new(settings.spatula(&model)?);
-    let fine = Arc::new(SolidSpatulaSettings { pad: 2.0, neck: 2.0, ..settings }.spatula(&model)?);
-    let at_tip = Arc::new(SolidSpatulaSettings { fine: Some(ZONE), ..settings }.spatula(&model)?);
-    for (name, spatula) in [("4 nm", &coarse), ("2 nm", &fine), ("1 nm at the tip", &at_tip)] {
-        cost(name, spatula)?;
-    }
+    cost("4 nm", &coarse)?;
     let begun = Instant::now();
     let mut pull = SolidPull::new(coarse, None)?;
     show("4 nm", pull.here(), &pull, begun);
+    let Some(asked) = asked else {
+        let point = *pull.to(CURVE[0], STEP)?;
+        show("4 nm", &point, &pull, begun);
+        return Ok(());
+    };
+    let fine = Arc::new(SolidSpatulaSettings { pad: 2.0, neck: 2.0, ..settings }.spatula(&model)?);
+    let at_tip = Arc::new(SolidSpatulaSettings { fine: Some(ZONE), ..settings }.spatula(&model)?);
+    cost("2 nm", &fine)?;
+    cost("1 nm at the tip", &at_tip)?;
     for u in CURVE {
         let point = *pull.to(u, STEP)?;
         show("4 nm", &point, &pull, begun);
         let finer = pull.on(fine.clone())?;
         show("2 nm", finer.here(), &finer, begun);
     }
-    if to_peak {
+    if asked == "peak" {
         let point = *pull.to(REFINED_AT, STEP)?;
         show("4 nm", &point, &pull, begun);
         let mut finer = pull.on(at_tip)?;
