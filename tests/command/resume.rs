@@ -43,11 +43,11 @@ const WIDTH: &str = "[strip]\nlength = \"100 nm\"\nheight = \"10 nm\"\nwidth = \
     objective = \"initiation_peak.force_nN\"\nwidth = { from = \"5 nm\", to = \"20 nm\", slope = 0.2 }\nvalues = 5\nneighbours = 4\n";
 const STIFFNESS: &str = "[strip]\nlength = \"100 nm\"\nheight = \"10 nm\"\nyoungs_modulus = \"2 GPa\"\n\
     [adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n[optimise]\n\
-    objective = \"first_jump.work_aJ\"\nstarts = 2\nneighbours = 20\ncheck = true\n\
+    objective = \"first_jump.work_aJ\"\nstarts = 2\nneighbours = 10\ncheck = true\n\
     parameters = [{ key = \"strip.bending_stiffness_factor\", from = 0.01, to = 100 }]\n";
 const PULL_OFF: &str = "[seta]\nforks = 1\nshaft_diameter = \"2 um\"\n[spatula]\n[accuracy]\nrelative = 1e-4\n\
     [adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n\
-    [uncertainty]\nquantities = [\"peak.force_nN\"]\nsamples = 200\nindices = false\n\
+    [uncertainty]\nquantities = [\"peak.force_nN\"]\nsamples = 60\nindices = false\n\
     inputs = [{ key = \"seta.youngs_modulus\", distribution = \"normal\", deviation = \"0.1 GPa\" }]\n\
     [optimise]\nobjective = \"peak.force_nN\"\nstarts = 2\nevaluations = 20\nneighbours = 1\n\
     parameters = [{ key = \"seta.shaft_angle\", from = \"30 deg\", to = \"75 deg\" }]\n";
@@ -61,7 +61,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a path on which Newton's method is slow",
         scene: include_str!("../../scenes/hard/unshearable.toml"),
-        command: &["run", "--set", "accuracy.elements=640", "--set", "accuracy.step=1e-5"],
+        command: &["run", "--set", "accuracy.elements=480", "--set", "accuracy.step=1e-5"],
         partial: "run.partial",
         results: 2,
         counts: true,
@@ -70,7 +70,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a seta that is pressed on, with states",
         scene: include_str!("../../scenes/seta.toml"),
-        command: &["run", "--states", "4", "--set", "seta.forks=7", "--set", "seta.preload=0.1 uN"],
+        command: &["run", "--states", "4", "--set", "seta.forks=6", "--set", "seta.preload=0.1 uN"],
         partial: "run.partial",
         results: 1,
         counts: false,
@@ -79,7 +79,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a seta by a table",
         scene: include_str!("../../scenes/seta.toml"),
-        command: &["run", "--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=1e-2", "--set", "seta.forks=8"],
+        command: &["run", "--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=3e-2", "--set", "seta.forks=8"],
         partial: "run.partial",
         results: 1,
         counts: false,
@@ -88,7 +88,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a sweep",
         scene: STRIP,
-        command: &["sweep", "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "40"],
+        command: &["sweep", "--vary", "strip.length", "--from", "60 nm", "--to", "120 nm", "--points", "20"],
         partial: "sweep.partial",
         results: 3,
         counts: true,
@@ -111,7 +111,7 @@ pub const ROWS: [Row; 12] = [
             "--to",
             "4 GPa",
             "--points",
-            "9",
+            "6",
         ],
         partial: "sweep.partial",
         results: 3,
@@ -132,7 +132,7 @@ pub const ROWS: [Row; 12] = [
             "--to",
             "120 nm",
             "--points",
-            "80",
+            "40",
         ],
         partial: "sweep.partial",
         results: 3,
@@ -142,7 +142,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a sweep of setae",
         scene: PULL_OFF,
-        command: &["sweep", "--vary", "seta.shaft_angle", "--from", "30 deg", "--to", "60 deg", "--points", "30"],
+        command: &["sweep", "--vary", "seta.shaft_angle", "--from", "30 deg", "--to", "60 deg", "--points", "12"],
         partial: "sweep.partial",
         results: 3,
         counts: true,
@@ -151,7 +151,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a sweep of pulls at a rate",
         scene: RATE,
-        command: &["sweep", "--vary", "time.rate", "--from", "1 mm/s", "--to", "10 mm/s", "--points", "12"],
+        command: &["sweep", "--vary", "time.rate", "--from", "1 mm/s", "--to", "10 mm/s", "--points", "6"],
         partial: "sweep.partial",
         results: 2,
         counts: true,
@@ -165,7 +165,7 @@ pub const ROWS: [Row; 12] = [
             "--set",
             "uncertainty.quantities=[\"initiation_peak.force_nN\"]",
             "--set",
-            "uncertainty.samples=480",
+            "uncertainty.samples=120",
             "--set",
             "accuracy.relative=1e-3",
         ],

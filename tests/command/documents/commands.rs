@@ -70,11 +70,22 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
         if let Some(at) = words.iter().position(|word| word == "--points") {
             words[at + 1] = FEW.to_string();
         }
+        let scene = std::fs::read_to_string(&words[1]).unwrap_or_default();
+        let mut set = |text: &str| words.extend(["--set", text].map(str::to_owned));
+        // a seta is small with few forks and a coarse table of its tips
+        if scene.contains("[seta]") {
+            if !["seta.forks", "seta.branches", "seta.tree"].iter().any(|key| given.contains(key)) {
+                set("seta.forks=2");
+            }
+            if given.contains("seta.tip_law=table") {
+                set("seta.tip_tolerance=5e-2");
+            }
+        }
         // a point that is followed is looked for on a whole path; an array has no points, and is small with few setae in a row
-        if std::fs::read_to_string(&words[1]).is_ok_and(|scene| scene.contains("[setae]")) {
-            words.extend(["--set", "setae.columns=2"].map(str::to_owned));
-        } else if !has(&words, "--follow") && !has(&words, "--peak-only") {
-            words.extend(["--set", "bounds.points=6"].map(str::to_owned));
+        if scene.contains("[setae]") {
+            set("setae.columns=2");
+        } else if !["--follow", "--peak-only"].iter().any(|flag| given.contains(flag)) {
+            set("bounds.points=6");
         }
         // pictures take longer than so few points; what writes files of its own writes them anew
         if ["--states", "--animate", "--part"].iter().any(|flag| has(&words, flag)) {
