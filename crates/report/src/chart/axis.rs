@@ -5,7 +5,7 @@ use peelkit::units::{FORCES, LENGTHS, PreferredUnits, Unit, WORKS};
 /// A labelled axis, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures, with the unit.
+    /// What it measures, with the unit. The unit alone, "(nm)", is not written: of an axis below which another panel has the same with its words.
     pub label: String,
     /// Where it begins.
     pub from: f64,
@@ -117,6 +117,9 @@ impl Axis {
 
     /// The label, with the prefix that fits, or with the power of ten that the texts leave out: "force P (mN)", "stiffness (10⁶ nN/nm)".
     pub(crate) fn title(&self) -> String {
+        if self.label.starts_with('(') {
+            return String::new();
+        }
         let label = match self.prefixed() {
             Some((written, own)) => {
                 let words = self.label.strip_suffix(&format!("({})", own.name)).unwrap_or_default();
@@ -304,6 +307,8 @@ mod tests {
         let nano = PreferredUnits::parse("nm").unwrap();
         let of_seta = Axis::linear("lift (µm)", 0.0, 0.3).in_units(nano);
         assert_eq!((of_seta.title(), of_seta.text_of(0.25, 3)), ("lift (nm)".into(), "250 nm".into()));
+        let above = Axis { label: "(µm)".into(), ..of_seta };
+        assert_eq!((above.title(), above.text_of(0.25, 3)), (String::new(), "250 nm".into()));
         let force = Axis::log("force P (nN)", 1e2, 1e4).in_units(units);
         assert_eq!(
             (texts(&force, 9), force.title()),

@@ -60,7 +60,7 @@ fn picture(pulled: &PulledAtRate, equilibria: &Equilibria, Heading { title, unit
     let y = Axis::around("force P (nN)", forces.iter().chain(&slow).map(|at| at.1).chain([0.0]), false).in_units(units);
     let mut force = Panel::of_lines(
         first,
-        x(""),
+        x("(nm)"),
         y,
         vec![
             Line::named("equilibria, stable or not", slow.clone(), Stroke::dotted(colour::INK, 1.4)),
@@ -90,7 +90,7 @@ fn picture(pulled: &PulledAtRate, equilibria: &Equilibria, Heading { title, unit
         pulled.points.iter().filter_map(|point| Some((point.displacement, point.attached()? as f64))).collect();
     let label = "displacement U (nm)";
     let (mut panels, bottom) = (vec![force], if attached.is_empty() { second } else { below(&second, TIPS) });
-    panels.push(Panel::of_lines(second, x(if attached.is_empty() { label } else { "" }), y, lines.collect()));
+    panels.push(Panel::of_lines(second, x(if attached.is_empty() { label } else { "(nm)" }), y, lines.collect()));
     if !attached.is_empty() {
         let y = Axis::around("tips attached", attached.iter().map(|at| at.1).chain([0.0]), false);
         panels.push(Panel::of_lines(

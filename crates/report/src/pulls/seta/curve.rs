@@ -25,15 +25,15 @@ pub(super) fn picture(pull_off: &SetaPullOff, passed: &[PassedAt], Heading { tit
     let of = |value: fn(&SetaPoint) -> f64| -> Vec<(f64, f64)> {
         micro.iter().copied().zip(pull_off.points.iter().map(value)).collect()
     };
-    let (forces, attached) = (of(|point| point.force_along / MICRO), of(|point| point.attached as f64));
+    let (forces, attached) = (of(|point| point.force_along), of(|point| point.attached as f64));
     let (left, right) = (84.0, f64::from(WIDTH) - 14.0);
     let first = Frame { left, top: TOP, right, bottom: TOP + FORCE };
     let second = Frame { left, top: first.bottom + BETWEEN, right, bottom: first.bottom + BETWEEN + TIPS };
     let x = |label: &str| Axis::around(label, micro.iter().copied(), false);
-    let y = Axis::around("force P on the root along its motion (µN)", forces.iter().map(|at| at.1).chain([0.0]), false)
+    let y = Axis::around("force P on the root along its motion (nN)", forces.iter().map(|at| at.1).chain([0.0]), false)
         .in_units(units);
     let stroke = Stroke::solid(colour::BLUE, 1.8);
-    let mut force = Panel::of_lines(first, x(""), y, vec![Line::plain(forces, stroke)]);
+    let mut force = Panel::of_lines(first, x("(µm)"), y, vec![Line::plain(forces, stroke)]);
     let zero = vec![(force.x.from, 0.0), (force.x.to, 0.0)];
     force.lines.insert(0, Line::plain(zero, Stroke::solid(colour::GREY, 0.9)));
     force.bands = bands(&pull_off.points, &micro);
@@ -41,7 +41,7 @@ pub(super) fn picture(pull_off: &SetaPullOff, passed: &[PassedAt], Heading { tit
     let place = |at: &PassedAt| {
         let first = pull_off.points.iter().position(|point| Some(point.step + 1) == at.step)?;
         let before = micro[first] - pull_off.points[first].displacement / MICRO;
-        Some(Marked { name: at.name.clone(), at: (before + at.displacement / MICRO, at.force / MICRO) })
+        Some(Marked { name: at.name.clone(), at: (before + at.displacement / MICRO, at.force) })
     };
     mark_found(std::slice::from_mut(&mut force), &passed.iter().filter_map(place).collect::<Vec<_>>());
     let y = Axis::around("tips attached", attached.iter().map(|at| at.1).chain([0.0]), false);
@@ -76,7 +76,7 @@ fn marks(pull_off: &SetaPullOff, micro: &[f64], y: &Axis) -> Vec<Mark> {
     ];
     let mark = |(name, state): (&str, &Option<SetaState>)| {
         let state = state.as_ref()?;
-        let force = state.point.force_along / MICRO;
+        let force = state.point.force_along;
         let text = format!("{}, {} tips", y.text_of(force, 4), state.point.attached);
         Some(Mark::labelled((place(state)?, force), colour::INK, &[name, &text]))
     };

@@ -102,7 +102,8 @@ fn state(
     let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
     let right = face.last().map_or(width, |last| last.0);
     let from = (strongest - 0.5 * width).min(right - 0.9 * width);
-    let [x, y] = [Axis::linear("", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
+    let [x, y] =
+        [Axis::linear("(nm)", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
     let mut shapes = Vec::new();
     let mut largest: f64 = 0.0;
     for pair in places.windows(2) {
