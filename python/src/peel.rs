@@ -198,7 +198,7 @@ impl NativePeel {
     /// The picture of the curve as SVG.
     fn svg(&self, py: Python) -> PyResult<String> {
         let peel = self.with_solutions(py)?;
-        let scene = &*self.source.scene;
+        let scene = &self.source.scene;
         let heading = Heading { title: &captioned(peel, &scene.title), units: scene.units };
         let drawn = curve(peel, &numbered_points(peel), heading, Path::new("the curve"))
             .map_err(|error| error.to_string())
