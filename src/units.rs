@@ -43,6 +43,53 @@ pub const BENDING_STIFFNESSES: &[Unit] = &[
     unit("N m²", 1e27),
 ];
 
+/// The units in which a person wants forces, lengths and works. Of what has none the one that fits is taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PreferredUnits {
+    /// Of forces
+    pub force: Option<Unit>,
+    /// Of displacements and lengths
+    pub length: Option<Unit>,
+    /// Of works and energies
+    pub work: Option<Unit>,
+}
+
+impl PreferredUnits {
+    /// Those of a text such as "mN, mm, nJ", where u stands for µ as well, and "auto" for nothing.
+    ///
+    /// # Errors
+    /// The first word that is no unit of a force, a length or a work.
+    pub fn parse(text: &str) -> Result<Self, &str> {
+        let mut units = Self::default();
+        for word in text.split(',').map(str::trim).filter(|&word| word != "auto") {
+            let name = word.replace('μ', "µ");
+            let find = |known: &[Unit]| known.iter().copied().find(|unit| [unit.name, &unit.ascii()].contains(&&*name));
+            match (find(FORCES), find(LENGTHS), find(WORKS)) {
+                (Some(force), ..) => units.force = Some(force),
+                (_, Some(length), _) => units.length = Some(length),
+                (.., Some(work)) => units.work = Some(work),
+                _ => return Err(word),
+            }
+        }
+        Ok(units)
+    }
+
+    /// Each one that is given, forces first.
+    pub fn given(&self) -> impl Iterator<Item = Unit> {
+        [self.force, self.length, self.work].into_iter().flatten()
+    }
+
+    /// The one that is given among these, if one is.
+    pub fn among(&self, units: &[Unit]) -> Option<Unit> {
+        self.given().find(|unit| units.contains(unit))
+    }
+
+    /// The one that is given among these, else that which fits the largest number.
+    pub fn fitting(&self, units: &[Unit], largest: f64) -> Unit {
+        self.among(units).unwrap_or_else(|| Unit::fitting(units, largest))
+    }
+}
+
 /// Numbers from here to [`TOO_LARGE`] keep the unit of the files.
 const TOO_SMALL: f64 = 1e-2;
 const TOO_LARGE: f64 = 1e4;
@@ -54,6 +101,11 @@ impl Unit {
         let ordinary = !largest.is_finite() || largest == 0.0 || (TOO_SMALL..TOO_LARGE).contains(&largest);
         let fits = |unit: &&Self| if ordinary { unit.size == 1.0 } else { unit.size <= largest };
         units.iter().rev().find(fits).copied().unwrap_or(units[0])
+    }
+
+    /// Its name with u in place of µ, as in the names of columns.
+    pub fn ascii(&self) -> String {
+        self.name.replace('µ', "u")
     }
 
     /// A number in nN, nm, aJ or nN nm² in this unit.
@@ -81,6 +133,18 @@ mod tests {
         {
             assert_eq!(length_text(length), text);
         }
+    }
+
+    #[test]
+    fn units_are_read_in_any_order() {
+        let names =
+            |text| PreferredUnits::parse(text).map(|units| units.given().map(|unit| unit.name).collect::<Vec<_>>());
+        assert_eq!(names("um, pN"), Ok(vec!["pN", "µm"]));
+        assert_eq!(names("auto"), Ok(vec![]));
+        assert_eq!(names("μN,mm,fJ"), Ok(vec!["µN", "mm", "fJ"]));
+        assert_eq!(names("mm, furlong"), Err("furlong"));
+        let units = PreferredUnits::parse("mm").unwrap();
+        assert_eq!([units.fitting(LENGTHS, 3.0).name, units.fitting(FORCES, 3e6).name], ["mm", "mN"]);
     }
 
     #[test]

@@ -103,7 +103,7 @@ pub fn save(
 ) -> PyResult<Vec<PathBuf>> {
     let existing = if replace { Existing::Replace } else { Existing::Keep };
     let written =
-        py.detach(|| OutputFolder::claim(folder, existing, None)?.write(|dir| outcome.write(scene, dir, command)));
+        py.detach(|| OutputFolder::claim(folder, existing, None)?.write(|dir| outcome.write_all(scene, dir, command)));
     written.map_err(|error| match unsaved(&error) {
         Some(remedy) => other(py, error.to_string(), remedy),
         None => other(py, error.to_string(), ""),

@@ -8,6 +8,7 @@ use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
 use peelkit::study::{self, Events, PathEnd, Peel, PeelResult, Stations};
 use peelkit_analyses::PeelOutcome;
+use peelkit_report::chart::Heading;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
 use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
 use peelkit_scene::{BoundsTable, station};
@@ -197,8 +198,9 @@ impl NativePeel {
     /// The picture of the curve as SVG.
     fn svg(&self, py: Python) -> PyResult<String> {
         let peel = self.with_solutions(py)?;
-        let title = captioned(peel, &self.source.scene.title);
-        let drawn = curve(peel, &numbered_points(peel), &title, Path::new("the curve"))
+        let scene = &self.source.scene;
+        let heading = Heading { title: &captioned(peel, &scene.title), units: scene.units };
+        let drawn = curve(peel, &numbered_points(peel), heading, Path::new("the curve"))
             .map_err(|error| error.to_string())
             .and_then(|picture| picture.svg().map_err(|error| error.to_string()));
         drawn.map_err(|error| other(py, error, "Look at `end` and `reason` of the result."))

@@ -188,7 +188,41 @@ fn the_printed_units_fit_or_are_those_that_are_wanted() {
     assert!(wide.contains("  peak force         341.12") && wide.contains(" µN at u = 0.24960"), "{wide}");
     let table = fs::read_to_string(dir.path().join("out/strip-100nm-accuracy.relative-1e-3/summary.json")).unwrap();
     assert!(table.contains("\"force_nN\": 0.341"), "files keep their units");
-    refused(dir.path(), &["run", SCENE, "--units", "lbf"], "--units lbf is no unit of the summary");
+    refused(
+        dir.path(),
+        &["run", SCENE, "--units", "lbf"],
+        "--units has \"lbf\", which is no unit of a force, a length or a work",
+    );
+}
+
+/// Pictures and copies of the tables follow `--units`, or the scene; the tables themselves, the summary and a checkpoint do not.
+#[test]
+fn pictures_and_copies_of_tables_have_the_units_that_are_wanted() {
+    let dir = tempdir().unwrap();
+    let of = |more: &[&str], out: &str| done(dir.path(), &[&["run", SCENE, "--out", out][..], &ROUGHLY, more].concat());
+    of(&[], "plain");
+    let said = of(&["--units", "pN,um"], "wanted");
+    assert!(said.contains("wrote wanted/in-units/curve.csv"), "{said}");
+    of(&["--set", "output.units=\"pN, um\""], "set");
+    let text = |path: &str| fs::read_to_string(dir.path().join(path)).unwrap();
+    assert!(!dir.path().join("plain/in-units").exists());
+    assert_eq!(text("plain/curve.csv"), text("wanted/curve.csv"));
+    for file in ["curve.svg", "shapes.svg", "in-units/curve.csv", "in-units/limit_points.csv"] {
+        assert_eq!(text(&format!("wanted/{file}")), text(&format!("set/{file}")), "{file}");
+    }
+    let picture = text("wanted/curve.svg");
+    for part in ["displacement u (µm)", "force P (pN)", "P = 341.1 pN"] {
+        assert!(picture.contains(part), "{part}\n{picture}");
+    }
+    assert!(text("wanted/shapes.svg").contains("x (µm)"));
+    let [(_, plain), (header, wanted)] =
+        ["plain", "wanted/in-units"].map(|of| table(&dir.path().join(of).join("curve.csv")));
+    assert_eq!(header[..2], ["displacement_um", "force_pN"]);
+    let number = |row: &HashMap<String, String>, column: &str| row[column].parse::<f64>().unwrap();
+    for (plain, wanted) in plain.iter().zip(&wanted) {
+        approx::assert_relative_eq!(number(plain, "force_nN"), 1e-3 * number(wanted, "force_pN"), max_relative = 1e-14);
+        assert_eq!(plain["work_aJ"], wanted["work_aJ"], "no unit of works is wanted");
+    }
 }
 
 #[test]

@@ -161,6 +161,16 @@ fn stations_are_refused_by_what_is_wrong_with_them() {
 }
 
 #[test]
+fn units_are_refused_that_results_are_not_written_in() {
+    let units = |value: &str| shown(MINIMAL, &set("output.units", value));
+    assert_says(
+        &units("\"mm, lbf\""),
+        &["has \"lbf\", which is no unit of a force, a length or a work that results are written in", "\"mN, mm, nJ\""],
+    );
+    assert_says(&units("3"), &["is 3, no text of units"]);
+}
+
+#[test]
 fn events_are_refused_by_what_is_wrong_with_them() {
     let events = |value: &str| shown(MINIMAL, &set("output.events", value));
     assert_says(&events("\"front < 50 nm\""), &["is \"front < 50 nm\", no list of tables"]);

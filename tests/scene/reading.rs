@@ -76,6 +76,7 @@ until = "detachment"
 [output]
 stations = { displacement = ["10 nm", "0.02 um"], end_rotation = "30 deg" }
 events = [{ name = "half off", when = "front < 50 nm", action = "stop" }, { when = "P>0.04 nN" }]
+units = "mm, uN"
 [bounds]
 points = 50
 time = "2 min"
@@ -105,6 +106,8 @@ displacement = "0.5 um"
     let moved = [10.0, 20.0].map(|value| at(StationQuantity::Displacement, value));
     let turned = at(StationQuantity::EndRotation, 30f64.to_radians());
     assert_eq!(scene.stations, [&moved[..], &[turned]].concat());
+    let units: Vec<&str> = scene.units.given().map(|unit| unit.name).collect();
+    assert_eq!(units, ["µN", "mm"]);
     let event = |name: &str, quantity, passing, value, action| EventAt {
         name: name.to_owned(),
         quantity: EventQuantity::Named(quantity),

@@ -79,7 +79,7 @@ impl Outcome for TipOutcome {
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
         let mut files = vec![TipSummary::new(scene, &self.table, self.seconds).with_command(command).write(dir)?];
         files.extend(report::write_tip_law(dir, &self.table)?);
-        files.extend(report::draw_tip_law(&self.table, &scene.title, dir)?);
+        files.extend(report::draw_tip_law(&self.table, scene, dir)?);
         Ok(files)
     }
 

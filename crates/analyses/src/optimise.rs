@@ -147,7 +147,7 @@ impl Outcome for OptimisationOutcome {
             files.push(path);
         }
         files.push(report::write_parameters(dir, scene, command)?);
-        files.extend(report::draw_optimum(problem, optimum, &scene.title, dir)?);
+        files.extend(report::draw_optimum(problem, optimum, scene, dir)?);
         Ok(files)
     }
 

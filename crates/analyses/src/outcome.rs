@@ -1,7 +1,7 @@
 //! What an analysis is asked, and what it answers.
 
 use crate::session::Session;
-use peelkit_report::{Journal, JournalKind, ReportError};
+use peelkit_report::{Journal, JournalKind, ReportError, write_in_units};
 use peelkit_scene::{Scene, ValueError};
 use std::fmt::{self, Display};
 use std::io;
@@ -34,6 +34,15 @@ pub trait Outcome {
     ///
     /// Fails as [`peelkit_report::OutputFolder::write`] says.
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError>;
+
+    /// The same, with tables once more in the units that the scene names.
+    ///
+    /// Fails as [`Outcome::write`].
+    fn write_all(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
+        let mut files = self.write(scene, dir, command)?;
+        files.extend(write_in_units(dir, &files, scene.units)?);
+        Ok(files)
+    }
 
     /// How it ended.
     fn end(&self) -> End;

@@ -167,7 +167,7 @@ impl Outcome for UncertaintyOutcome {
         files.extend(report::write_uncertainty(dir, &self.analysis)?);
         files.push(report::write_samples(dir, &self.analysis)?);
         files.push(report::write_parameters(dir, scene, command)?);
-        files.extend(report::draw_uncertainty(&self.analysis, &scene.title, dir)?);
+        files.extend(report::draw_uncertainty(&self.analysis, scene, dir)?);
         Ok(files)
     }
 

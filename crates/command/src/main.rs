@@ -12,7 +12,7 @@ use std::io::IsTerminal;
 use std::process::ExitCode;
 use studies::{accuracy, coarsen, collect, fit, optimise, run, sweep, uncertainty};
 use terminal::help;
-use tools::{figures, keys, new, plot, schema, serve, shell, verify};
+use tools::{cite, figures, keys, new, plot, schema, serve, shell, verify};
 
 /// Computes how thin adhesive beams peel from a surface.
 #[derive(Parser)]
@@ -41,6 +41,7 @@ enum Command {
     Schema(schema::Schema),
     Completions(shell::Completions),
     Man(shell::Man),
+    Cite(cite::Cite),
 }
 
 /// Reads the command line, does what it says, and turns what went wrong into a message and an exit status.
@@ -68,6 +69,7 @@ fn main() -> ExitCode {
         Command::Schema(args) => schema::schema(&args),
         Command::Completions(args) => shell::completions(&args, Cli::command()),
         Command::Man(args) => shell::man(&args, Cli::command()),
+        Command::Cite(args) => cite::cite(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

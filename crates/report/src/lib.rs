@@ -80,6 +80,7 @@ pub use swept::timed;
 pub use swept::{PullRow, SweepRow, SweptKeys, as_given};
 pub use writing::error::ReportError;
 pub use writing::file::write_whole;
+pub use writing::in_units::write_in_units;
 pub use writing::names::unknown_error;
 pub use writing::names::{
     end_reason, end_word, first_jump_word, form_word, jump_title, limit_point_kind_word, test_end_reason, test_end_word,

@@ -290,6 +290,7 @@ pub static KEYS: &[Key] = &[
 
     key(&OUTPUT, "stations", Optional, Kind::Setting(&output::STATIONS), "exact values at which the path is computed besides"),
     key(&OUTPUT, "events", Optional, Kind::Setting(&output::EVENTS), "where a quantity passes a value: recorded, or followed no further"),
+    key(&OUTPUT, "units", Optional, Kind::Setting(&output::UNITS), "units of print, pictures and tables besides; else those that fit"),
 
     key(&BOUNDS, "points", Optional, Kind::Count(1_000_000_000, |s| &mut s.bounds.points), "largest number of points of a path").titled("largest number of points of the path", ""),
     key(&BOUNDS, "time", Optional, Kind::Bound(Time, |s| &mut s.bounds.time_s), "longest time for a path").titled("longest time for a path", ""),

@@ -40,7 +40,7 @@ pub use schema::schema;
 pub use studies::parameters::Parameters;
 pub use tables::array::array_warnings;
 pub use tables::measured::problem as refused_quantity;
-pub use tables::output::{event, station};
+pub use tables::output::{event, station, units};
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};

@@ -259,6 +259,7 @@ fn help_in_layers() {
         "schema",
         "completions",
         "man",
+        "cite",
     ] {
         let help = peel(dir.path(), &[command, "-h"]).stdout;
         let (lines, widest) = (help.lines().count(), help.lines().map(|line| line.chars().count()).max());

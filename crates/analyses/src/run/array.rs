@@ -74,7 +74,7 @@ impl Outcome for ArrayOutcome {
         files.extend(report::write_array_tables(dir, pull)?);
         files.push(report::write_parameters(dir, scene, command)?);
         if !pull.events.is_empty() {
-            files.extend(report::draw_array(dir, table, pull, &scene.title)?);
+            files.extend(report::draw_array(dir, table, pull, scene)?);
         }
         Ok(files)
     }

@@ -268,7 +268,7 @@ impl Outcome for PeelOutcome {
         files.push(report::write_parameters(dir, scene, command)?);
         if peel.points.len() > 1 {
             let marked = Marked::of_path(&self.stations, &self.events);
-            files.extend(report::draw_peel_with_branch(peel, stability, branch, &marked, &scene.title, dir)?);
+            files.extend(report::draw_peel_with_branch(peel, stability, branch, &marked, scene, dir)?);
         }
         if let Some(branch) = branch {
             files.push(report::write_branch(dir, branch)?);
@@ -280,17 +280,12 @@ impl Outcome for PeelOutcome {
         }
         if let Some(Exponents { found, keys, .. }) = exponents.as_ref().filter(|exponents| !exponents.found.is_empty())
         {
-            files.extend(report::draw_sensitivities(found, keys, &scene.title, dir)?);
+            files.extend(report::draw_sensitivities(found, keys, scene, dir)?);
         }
         if let Some(test) = test {
             files.push(report::write_observed(dir, test)?);
             if test.points.len() > 1 {
-                files.extend(report::draw_observed(
-                    test,
-                    &PassedAt::of_test(test, &scene.looked_for()),
-                    &scene.title,
-                    dir,
-                )?);
+                files.extend(report::draw_observed(test, &PassedAt::of_test(test, &scene.looked_for()), scene, dir)?);
             }
         }
         if asked.animate && peel.points.len() > 1 {

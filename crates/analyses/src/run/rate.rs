@@ -174,7 +174,7 @@ impl Outcome for RateOutcome {
             files.push(report::write_passed(dir, &passed)?);
         }
         if pulled.points.len() > 1 {
-            files.extend(report::draw_rate(dir, (pulled, &passed), &self.equilibria, &scene.title)?);
+            files.extend(report::draw_rate(dir, (pulled, &passed), &self.equilibria, scene)?);
         }
         Ok(files)
     }

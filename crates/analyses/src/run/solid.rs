@@ -101,7 +101,7 @@ impl Outcome for SolidOutcome {
         files.extend(report::write_solid_tables(dir, peel)?);
         files.push(report::write_parameters(dir, scene, command)?);
         if peel.points.len() > 1 {
-            files.extend(report::draw_solid(dir, peel, ground, &scene.title)?);
+            files.extend(report::draw_solid(dir, peel, ground, scene)?);
         }
         if let Some(count) = self.states {
             files.extend(report::write_solid_states(dir, peel, self.rest_gap(), count as usize)?);

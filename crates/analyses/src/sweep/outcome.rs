@@ -106,30 +106,30 @@ impl SweepOutcome {
     }
 
     /// The pictures, where there is something to draw.
-    fn draw(&self, dir: &Path, title: &str) -> Result<Vec<PathBuf>, ReportError> {
+    fn draw(&self, dir: &Path, scene: &Scene) -> Result<Vec<PathBuf>, ReportError> {
         let Self { keys, log, .. } = *self;
         let first = keys.first.path();
         match &self.rows {
             Rows::Peels(rows) if rows.iter().any(|row| row.found.peak.is_some()) => match keys.second {
-                None => report::draw_sweep(rows, &first, title, log[0], dir),
-                Some(_) => report::draw_plane(rows, keys, title, log, dir),
+                None => report::draw_sweep(rows, &first, scene, log[0], dir),
+                Some(_) => report::draw_plane(rows, keys, scene, log, dir),
             },
             Rows::Setae(rows) if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.peak.is_some())) => {
-                report::draw_swept_setae(dir, keys, rows, title, log)
+                report::draw_swept_setae(dir, keys, rows, scene, log)
             }
             Rows::Solids(rows) if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.peak.is_some())) => {
-                report::draw_swept_solids(dir, keys, rows, title, log)
+                report::draw_swept_solids(dir, keys, rows, scene, log)
             }
             Rows::Arrays(rows) if rows.iter().any(|row| row.found.is_ok()) => {
-                report::draw_swept_arrays(dir, keys, rows, title, log)
+                report::draw_swept_arrays(dir, keys, rows, scene, log)
             }
             Rows::Rates(rows)
                 if rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.failed.is_none())) =>
             {
-                report::draw_swept_rates(dir, keys, rows, title, log)
+                report::draw_swept_rates(dir, keys, rows, scene, log)
             }
             Rows::Followed(sweep, _) if sweep.rows.iter().any(|row| row.point.is_some()) => {
-                report::draw_followed(sweep, &first, title, log[0], dir)
+                report::draw_followed(sweep, &first, scene, log[0], dir)
             }
             _ => Ok(Vec::new()),
         }
@@ -163,7 +163,7 @@ impl Outcome for SweepOutcome {
         match (&self.part, &self.rows) {
             // a part has no pictures, but what `peel collect` needs
             (Some(header), Rows::Peels(rows)) => files.push(SweepPart::write(dir, header, rows)?),
-            _ => files.extend(self.draw(dir, &scene.title)?),
+            _ => files.extend(self.draw(dir, scene)?),
         }
         Ok(files)
     }

@@ -78,7 +78,7 @@ impl Drive<'_> {
         // whole results are not given up for those of an interrupted command
         let before = before.filter(|_| matches!(found.end(), End::Interrupted { .. }));
         let output = output.filter(|_| found.is_written() && before.is_none());
-        let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write(scene, dir, &command)));
+        let files = output.map_or(Ok(Vec::new()), |output| output.write(|dir| found.write_all(scene, dir, &command)));
         let (files, left) = match found.settle(files.is_ok()) {
             Ok(left) => (files, left),
             Err(error) => (files.and(Err(error)), None),

@@ -9,9 +9,10 @@ use crate::terminal::stop::Stop;
 use crate::text_summary;
 use crate::text_summary::peel::Beside;
 use crate::text_summary::rate::LawOfTips;
-use crate::text_summary::units::{UnitsArgs, WantedUnits};
+use crate::text_summary::units::UnitsArgs;
 use clap::Args;
 use peelkit::study::EventAction;
+use peelkit::units::PreferredUnits;
 use peelkit_analyses::{Asked, PeelOutcome, Pull, RateOutcome, Run as Analysis, RunOutcome, SetaOutcome};
 use peelkit_scene::{Scene, event, refused_quantity, station};
 use std::path::PathBuf;
@@ -155,10 +156,11 @@ impl Run {
 pub fn run(args: &Run) -> Result<(), Stop> {
     let mut scene = args.scene.load_any()?;
     args.add_stations(&mut scene)?;
+    args.units.put(&mut scene)?;
     let scene = scene;
     args.refuse_states_without_files()?;
     let analysis = Analysis::of(&scene, args.asked()).map_err(|why| Stop::refused(&scene, why))?;
-    let wanted = args.units.wanted()?;
+    let wanted = scene.units;
     let folder = args.folder();
     let answer = match analysis {
         Analysis::Peel(_) => folder.is_some().then_some(
@@ -184,7 +186,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     })
 }
 
-fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
+fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: PreferredUnits) -> String {
     let [.., test_s] = found.beside_s;
     let beside = Beside {
         stability: found.stability.as_ref(),
@@ -204,13 +206,13 @@ fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: WantedUnits) -> String {
     text + &text_summary::peel::taken(found.taken)
 }
 
-fn of_seta(scene: &Scene, found: &SetaOutcome, wanted: WantedUnits) -> String {
+fn of_seta(scene: &Scene, found: &SetaOutcome, wanted: PreferredUnits) -> String {
     let (law, pulled) = ((&found.tip, found.table(), found.outside.as_ref()), (found.pull_off(), found.peak.as_ref()));
     let text = text_summary::seta::seta(scene, &found.model, law, pulled, found.seconds.iter().sum(), wanted);
     text + &text_summary::seta::equilibria_taken(found.taken)
 }
 
-fn of_rate(scene: &Scene, found: &RateOutcome, wanted: WantedUnits) -> String {
+fn of_rate(scene: &Scene, found: &RateOutcome, wanted: PreferredUnits) -> String {
     let law = match &found.of {
         Pull::Beam(_) => None,
         Pull::Seta(own) => {

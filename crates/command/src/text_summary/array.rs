@@ -2,14 +2,15 @@
 
 use super::number::in_columns;
 use super::of_many::sweep::{headed, largest, listed, none, pair, title, values};
-use super::units::{Unit, Units, WantedUnits};
+use super::units::{Unit, Units};
 use peelkit::toe::ArrayPull;
+use peelkit::units::PreferredUnits;
 use peelkit_report::{ArrayResult, SweptArray, SweptKeys, array_end_word};
 use peelkit_scene::{ArrayTable, BandLoad, Scene, array_warnings};
 use std::fmt::Write;
 
 /// The summary of a pull that took so many seconds.
-pub fn array(scene: &Scene, table: &ArrayTable, pull: &ArrayPull, seconds: f64, wanted: WantedUnits) -> String {
+pub fn array(scene: &Scene, table: &ArrayTable, pull: &ArrayPull, seconds: f64, wanted: PreferredUnits) -> String {
     let moment = table.lamella.is_some_and(|lamella| lamella.load != BandLoad::Force);
     let way = pull.events.iter().map(|at| at.lift.abs()).fold(0.0, f64::max);
     let Units { force, length, work } = Units::fitting(wanted, [pull.largest_load.abs(), way, pull.work.abs()]);
@@ -44,7 +45,7 @@ pub fn swept_arrays(
     keys: SweptKeys,
     rows: &[SweptArray],
     remarks: &[String],
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let found = || rows.iter().filter_map(|row| row.found.as_ref().ok());
     let is_moment = found().any(|found| found.is_moment);

@@ -2,8 +2,9 @@
 
 use super::found::passed_lines;
 use super::number::in_columns;
-use super::units::{Units, WantedUnits};
+use super::units::Units;
 use peelkit::study::{EventAt, Observed, PullOff, TestEnd};
+use peelkit::units::PreferredUnits;
 use peelkit_report::{PassedAt, jump_title, test_end_reason, test_end_word};
 
 /// Which of two pull-off forces is seen.
@@ -11,7 +12,7 @@ const SEEN: &str =
     "an experiment records the larger if the end face is as flat and smooth as here; otherwise the one before";
 
 /// The displacement-controlled test, which took so many seconds.
-pub fn observed(test: &Observed, looked_for: &[EventAt], solve_s: f64, wanted: WantedUnits) -> String {
+pub fn observed(test: &Observed, looked_for: &[EventAt], solve_s: f64, wanted: PreferredUnits) -> String {
     let units = Units::fitting(wanted, sizes(test));
     let Units { force, length, work } = units;
     let none = || "none".to_owned();

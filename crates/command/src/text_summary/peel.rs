@@ -4,7 +4,7 @@ use super::found::{looked_for_text, value_text};
 use super::number::in_columns;
 use super::number::short;
 use super::stability::{branch_point, out_of_plane};
-use super::units::{Units, WantedUnits, fitting_text};
+use super::units::{Units, fitting_text};
 use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 use peelkit::model::{DerivedQuantities, Step};
 use peelkit::solve::Pace;
@@ -13,6 +13,7 @@ use peelkit::study::{
     NotOutOfPlane, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity,
     Stations, TermDecisions, TermEffect, WarningKind,
 };
+use peelkit::units::PreferredUnits;
 use peelkit::units::{BENDING_STIFFNESSES, LENGTHS, PRESSURES};
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
@@ -42,7 +43,7 @@ pub fn peel(
     peel: &Peel,
     Beside { stability, branch, stations, events }: Beside,
     solve_s: f64,
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let units = Units::fitting(wanted, sizes(peel));
     let Units { force, length, work } = units;
@@ -568,7 +569,7 @@ short
   end                bound: a limit set under [bounds] was reached: bounds.points = 20
   computational cost 20 points, 70 Newton iterations, 16 elements of order 4, 4.2 ms
 ";
-        assert_eq!(peel(&scene, &made_up, Beside::default(), 0.0042, WantedUnits::default()), expected);
+        assert_eq!(peel(&scene, &made_up, Beside::default(), 0.0042, PreferredUnits::default()), expected);
         let loss = OutOfPlaneLoss {
             displacement: 0.489743876,
             force: 0.312661701,
@@ -588,7 +589,7 @@ short
                 &made_up,
                 Beside { stability: Some(&stability), ..Beside::default() },
                 0.0042,
-                WantedUnits::default(),
+                PreferredUnits::default(),
             );
             let first = text.lines().nth(2).unwrap_or_default();
             assert!(first.trim_start().starts_with(&format!("out of the plane   {begins}")), "{first}");

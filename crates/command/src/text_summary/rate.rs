@@ -2,9 +2,10 @@
 
 use super::found::passed_lines;
 use super::number::in_columns;
-use super::units::{Units, WantedUnits};
+use super::units::Units;
 use peelkit::model::PullCurve;
 use peelkit::study::{SetaInTimeEvent, TipLoss};
+use peelkit::units::PreferredUnits;
 use peelkit_report::{Equilibria, PassedAt, PulledAtRate, TipEvents, tip_peak};
 use peelkit_scene::Scene;
 
@@ -25,7 +26,7 @@ pub fn rate(
     (pulled, equilibria): (&PulledAtRate, &Equilibria),
     law: Option<LawOfTips>,
     (failed, solve_s): (Option<&str>, f64),
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let change = pulled.change();
     let largest = pulled.peak.map_or(0.0, |at| at.force);

@@ -3,10 +3,11 @@
 use super::found::passed_lines;
 use super::number::in_columns;
 use super::number::short;
-use super::units::{Unit, Units, WantedUnits};
+use super::units::{Unit, Units};
 use peelkit::model::{PullCurve, SetaModel};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
+use peelkit::units::PreferredUnits;
 use peelkit_report::{PassedAt, SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
 use peelkit_scene::Scene;
 
@@ -20,7 +21,7 @@ pub fn seta(
     (tip, table, outside): (&PullCurve, Option<&GrowingTable>, Option<&OutsideTable>),
     (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
     solve_s: f64,
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let largest = |of: fn(&peelkit::study::SetaPoint) -> f64| pull_off.points.iter().map(of).fold(0.0, f64::max);
     let sizes = [

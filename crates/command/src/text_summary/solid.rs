@@ -1,10 +1,11 @@
 //! The summary of the peel of a solid, and a sweep of such peels as a table.
 
 use super::number::in_columns;
-use super::units::{Unit, Units, WantedUnits};
+use super::units::{Unit, Units};
 use crate::text_summary::of_many::sweep::{headed, largest, listed, none, pair, title, values};
 use peelkit::model::LongElements;
 use peelkit::study::{LimitPointKind, SolidLimitPoint, SolidPeel};
+use peelkit::units::PreferredUnits;
 use peelkit_report::{SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_warnings};
 use peelkit_scene::Scene;
 use std::fmt::Write;
@@ -18,7 +19,7 @@ pub fn solid(
     peel: &SolidPeel,
     long: Option<&LongElements>,
     solve_s: f64,
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let way = peel.points.iter().map(|at| at.displacement.abs()).fold(0.0, f64::max);
     let force = peel.points.iter().map(|at| at.force.abs()).fold(0.0, f64::max);
@@ -77,7 +78,7 @@ pub fn swept_solids(
     keys: SweptKeys,
     rows: &[SolidRow],
     remarks: &[String],
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let found = || rows.iter().filter_map(|row| row.found.as_ref().ok());
     let sizes = found().filter_map(|found| found.peak).map(|peak| [peak.force, peak.displacement, 0.0]);

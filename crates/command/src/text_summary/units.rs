@@ -1,64 +1,38 @@
-//! The units of what is printed for a person: those that `--units` names, else those that fit the size of the numbers. Files keep the units
-//! that stand in the names of their columns and keys.
+//! The units of what is printed for a person: those that `--units` or the scene names, else those that fit the size of the numbers. Files keep the
+//! units that stand in the names of their columns and keys.
 
 use super::number::{short, with_error};
 use crate::terminal::stop::Stop;
 use clap::Args;
-use peelkit::units::{self, FORCES, LENGTHS, WORKS};
+use peelkit::units::{self, FORCES, LENGTHS, PreferredUnits, WORKS};
+use peelkit_scene::Scene;
 
 /// A unit of a force, a length or a work, with which numbers are printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit(units::Unit);
 
-/// Which units the summary is printed in.
+/// Which units results are printed, drawn and written in besides.
 #[derive(Args, Clone, Debug, Default)]
 pub struct UnitsArgs {
-    /// Units of the printed summary: µN,µm,fJ [default: those that fit]
+    /// Units of summary and pictures: µN,µm,fJ [default: those that fit]
     ///
-    /// One each of forces, lengths and works. Files keep their units.
+    /// One each of forces, lengths and works. Tables keep their units; copies in these are in the folder in-units.
     #[arg(long, value_name = "LIST")]
     units: Option<String>,
 }
 
-/// The units that the user wants; none: what fits.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct WantedUnits {
-    force: Option<Unit>,
-    length: Option<Unit>,
-    work: Option<Unit>,
-}
-
 impl UnitsArgs {
-    /// What the user wants, if that is understood.
-    pub fn wanted(&self) -> Result<WantedUnits, Stop> {
-        let mut wanted = WantedUnits::default();
-        let words = self.units.as_deref().unwrap_or("auto");
-        for word in words.split(',').map(str::trim).filter(|&word| word != "auto") {
-            let plain = word.replace('μ', "µ");
-            let plain = plain.strip_prefix('u').map_or(plain.clone(), |rest| format!("µ{rest}"));
-            let find = |known: &[units::Unit]| known.iter().copied().find(|unit| unit.name == plain).map(Unit);
-            match (find(FORCES), find(LENGTHS), find(WORKS)) {
-                (Some(force), ..) => wanted.force = Some(force),
-                (_, Some(length), _) => wanted.length = Some(length),
-                (.., Some(work)) => wanted.work = Some(work),
-                _ => return Err(unknown(word)),
-            }
-        }
-        Ok(wanted)
+    /// Those that are given, if they are understood.
+    pub fn given(&self) -> Result<Option<PreferredUnits>, Stop> {
+        let read = self.units.as_deref().map(peelkit_scene::units).transpose();
+        read.map_err(|why| Stop::bad_input(format!("--units {}", why.found), why.remedy))
     }
-}
 
-fn unknown(word: &str) -> Stop {
-    let names = |units: &[units::Unit]| units.iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ");
-    Stop::bad_input(
-        format!("--units {word} is no unit of the summary"),
-        format!(
-            "Give one unit each of what is not to be chosen by size: of forces {}; of lengths {}; of works {}. For example --units µN,µm,fJ.",
-            names(FORCES),
-            names(LENGTHS),
-            names(WORKS)
-        ),
-    )
+    /// Puts them into a scene, in place of its own.
+    pub fn put(&self, scene: &mut Scene) -> Result<(), Stop> {
+        scene.units = self.given()?.unwrap_or(scene.units);
+        Ok(())
+    }
 }
 
 /// The units of one summary.
@@ -74,11 +48,11 @@ pub struct Units {
 
 impl Units {
     /// Those that are wanted, and else those that fit the largest force (nN), length (nm) and work (aJ).
-    pub fn fitting(wanted: WantedUnits, [force, length, work]: [f64; 3]) -> Self {
+    pub fn fitting(wanted: PreferredUnits, [force, length, work]: [f64; 3]) -> Self {
         Self {
-            force: wanted.force.unwrap_or_else(|| Unit(units::Unit::fitting(FORCES, force))),
-            length: wanted.length.unwrap_or_else(|| Unit(units::Unit::fitting(LENGTHS, length))),
-            work: wanted.work.unwrap_or_else(|| Unit(units::Unit::fitting(WORKS, work))),
+            force: Unit(wanted.fitting(FORCES, force)),
+            length: Unit(wanted.fitting(LENGTHS, length)),
+            work: Unit(wanted.fitting(WORKS, work)),
         }
     }
 }
@@ -131,21 +105,16 @@ mod tests {
     use super::*;
     use peelkit::units::BENDING_STIFFNESSES;
 
-    fn wanted(text: &str) -> Result<WantedUnits, Stop> {
-        UnitsArgs { units: Some(text.to_owned()) }.wanted()
-    }
-
     fn names(units: Units) -> [&'static str; 3] {
         [units.force.name(), units.length.name(), units.work.name()]
     }
 
     #[test]
     fn what_is_wanted_comes_before_what_fits() {
-        let fitting = |text| names(Units::fitting(wanted(text).unwrap(), [0.34, 7e6, 3.5]));
+        let fitting = |text| names(Units::fitting(PreferredUnits::parse(text).unwrap(), [0.34, 7e6, 3.5]));
         assert_eq!(fitting("auto"), ["nN", "mm", "aJ"]);
         assert_eq!(fitting("pN, um"), ["pN", "µm", "aJ"]);
         assert_eq!(fitting("fJ"), ["nN", "mm", "fJ"]);
-        assert!(wanted("furlong").is_err());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The other subcommands, one file or folder each.
 
+pub(crate) mod cite;
 pub(crate) mod figures;
 mod hard_scenes;
 pub(crate) mod keys;

@@ -3,7 +3,9 @@
 use crate::terminal::help;
 use crate::terminal::output::{OutArgs, list_files, say};
 use crate::terminal::stop::Stop;
+use crate::text_summary::units::UnitsArgs;
 use clap::Args;
+use peelkit_report::chart::Heading;
 use peelkit_report::overlay::{Kind, Measured, OverlayError, ResultFile, draw_overlay};
 use std::path::{Path, PathBuf};
 
@@ -30,6 +32,9 @@ pub struct Plot {
     /// Logarithmic y axis
     #[arg(long)]
     log_y: bool,
+
+    #[command(flatten)]
+    units: UnitsArgs,
 
     #[command(flatten)]
     out: OutArgs,
@@ -74,8 +79,9 @@ pub fn plot(args: &Plot) -> Result<(), Stop> {
         Kind::Curve => "Force against displacement".into(),
         Kind::Sweep => "Peak force".into(),
     });
+    let heading = Heading { title: &title, units: args.units.given()?.unwrap_or_default() };
     let folder = args.out.claim(args.out.out.as_deref().unwrap_or(Path::new("out/plot")), None)?;
-    let files = folder.write(|dir| draw_overlay(&results, &measured, &title, [args.log_x, args.log_y], dir));
+    let files = folder.write(|dir| draw_overlay(&results, &measured, heading, [args.log_x, args.log_y], dir));
     say(&list_files(&files))?;
     files?;
     Ok(())

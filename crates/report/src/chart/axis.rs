@@ -1,11 +1,11 @@
 //! An axis: its range, where a value lies on it, its ticks and how they are printed.
 
-use peelkit::units::{FORCES, LENGTHS, Unit, WORKS};
+use peelkit::units::{FORCES, LENGTHS, PreferredUnits, Unit, WORKS};
 
 /// A labelled axis, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures, with the unit.
+    /// What it measures, with the unit. The unit alone, "(nm)", is not written: of an axis below which another panel has the same with its words.
     pub label: String,
     /// Where it begins.
     pub from: f64,
@@ -17,6 +17,8 @@ pub struct Axis {
     pub names: Vec<String>,
     /// A number beyond its ends for which its prefix is chosen as well, so that panels side by side have one unit; 0: none.
     pub beside: f64,
+    /// The units that the user wants, whatever the prefix that fits.
+    pub units: PreferredUnits,
 }
 
 /// A tick; the small ones between carry no text.
@@ -29,7 +31,15 @@ pub struct Tick {
 impl Axis {
     /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
-        Axis { label: label.into(), from, to, log: false, names: Vec::new(), beside: 0.0 }
+        Axis {
+            label: label.into(),
+            from,
+            to,
+            log: false,
+            names: Vec::new(),
+            beside: 0.0,
+            units: PreferredUnits::default(),
+        }
     }
 
     /// A logarithmic axis; both ends above zero.
@@ -68,22 +78,32 @@ impl Axis {
         }
     }
 
-    /// The unit of its label in the prefix that fits, and that of the label: of a linear axis of forces, lengths or works that has another one.
-    fn prefixed(&self) -> Option<(Unit, &'static str)> {
-        let unit = self.label.rsplit_once('(')?.1.strip_suffix(')')?;
-        let of_files = |units: &&[Unit]| units.iter().any(|known| known.size == 1.0 && known.name == unit);
-        let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_files).filter(|_| !self.log)?;
-        let own = units.iter().find(|known| known.size == 1.0)?;
-        let fits = Unit::fitting(units, self.from.abs().max(self.to.abs()).max(self.beside));
-        (fits != *own).then_some((fits, own.name))
+    /// The same with its numbers in the units that the user wants.
+    pub fn in_units(self, units: PreferredUnits) -> Self {
+        Self { units, ..self }
     }
 
-    /// The power of ten that the texts of the ticks leave out: of a linear axis with many zeros.
+    /// The unit in which its numbers are written and that of its label, where these differ: of an axis of forces, lengths or works that which the
+    /// user wants, and else, on a linear one in the unit of the files, the prefix that fits.
+    fn prefixed(&self) -> Option<(Unit, Unit)> {
+        let name = self.label.rsplit_once('(')?.1.strip_suffix(')')?;
+        let of_label = |units: &&[Unit]| units.iter().any(|known| known.name == name);
+        let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_label)?;
+        let own = *units.iter().find(|known| known.name == name)?;
+        let fits = || Unit::fitting(units, self.from.abs().max(self.to.abs()).max(self.beside));
+        let has_prefix = own.size == 1.0 && !self.log;
+        let written = self.units.among(units).or_else(|| has_prefix.then(fits))?;
+        (written != own).then_some((written, own))
+    }
+
+    /// The power of ten of the unit in which its numbers are written, over that of its label.
+    fn shift(&self) -> i32 {
+        self.prefixed().map_or(0, |(written, own)| (written.size / own.size).log10().round() as i32)
+    }
+
+    /// The power of ten that the texts of the ticks leave out besides: of a linear axis with many zeros.
     fn decades(&self) -> i32 {
-        if let Some((unit, _)) = self.prefixed() {
-            return unit.size.log10().round() as i32;
-        }
-        let largest = self.from.abs().max(self.to.abs());
+        let largest = self.from.abs().max(self.to.abs()) / 10f64.powi(self.shift());
         if self.log
             || !self.names.is_empty()
             || !largest.is_finite()
@@ -97,17 +117,23 @@ impl Axis {
 
     /// The label, with the prefix that fits, or with the power of ten that the texts leave out: "force P (mN)", "stiffness (10⁶ nN/nm)".
     pub(crate) fn title(&self) -> String {
-        if let Some((unit, of_label)) = self.prefixed() {
-            let words = self.label.strip_suffix(&format!("({of_label})")).unwrap_or_default();
-            return format!("{words}({})", unit.name);
+        if self.label.starts_with('(') {
+            return String::new();
         }
+        let label = match self.prefixed() {
+            Some((written, own)) => {
+                let words = self.label.strip_suffix(&format!("({})", own.name)).unwrap_or_default();
+                format!("{words}({})", written.name)
+            }
+            None => self.label.clone(),
+        };
         let power = match self.decades() {
-            0 => return self.label.clone(),
+            0 => return label,
             decades => format!("10{}", raised(decades)),
         };
-        match self.label.rsplit_once('(') {
+        match label.rsplit_once('(') {
             Some((words, unit)) => format!("{words}({power} {unit}"),
-            None => format!("{} ({power})", self.label),
+            None => format!("{label} ({power})"),
         }
     }
 
@@ -115,7 +141,7 @@ impl Axis {
     pub(crate) fn text_of(&self, value: f64, digits: i32) -> String {
         let own = || self.label.rsplit_once('(').and_then(|(_, unit)| unit.strip_suffix(')')).unwrap_or_default();
         let (value, unit) = match self.prefixed() {
-            Some((unit, _)) => (unit.of(value), unit.name),
+            Some((written, own)) => (value * own.size / written.size, written.name),
             None => (value, own()),
         };
         format!("{} {unit}", significant(value, digits)).trim_end().to_owned()
@@ -137,7 +163,7 @@ impl Axis {
         let off = |step: &f64| (step / rough).ln().abs();
         let round = [1.0, 2.0, 5.0, 10.0].map(|m| m * decade);
         let step = round.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(rough);
-        let shown = step / 10f64.powi(self.decades());
+        let shown = step / 10f64.powi(self.shift() + self.decades());
         let digits = (-(shown * 1.000_001).log10().floor()).clamp(0.0, 12.0) as usize;
         let (first, last) = ((self.from / step).ceil() as i64, (self.to / step).floor() as i64);
         let text = |i: i64| minus(format!("{:.digits$}", i as f64 * shown));
@@ -145,8 +171,11 @@ impl Axis {
     }
 
     fn log_ticks(&self, count: usize) -> Vec<Tick> {
-        let (first, last) = (self.from.log10().floor() as i32, self.to.log10().ceil() as i32);
-        let whole = (self.to.log10().floor() as i32 - self.from.log10().ceil() as i32).max(0);
+        // decades of the unit in which its numbers are written
+        let unit = 10f64.powi(self.shift());
+        let (from, to) = ((self.from / unit).log10(), (self.to / unit).log10());
+        let (first, last) = (from.floor() as i32, to.ceil() as i32);
+        let whole = (to.floor() as i32 - from.ceil() as i32).max(0);
         let every = (whole as usize / count.max(1) + 1) as i32;
         let plain = (-3..=3).contains(&first) && (-3..=4).contains(&last) && whole <= 2;
         let written: &[i32] = if whole >= 2 { &[1] } else { &[1, 2, 5] };
@@ -163,16 +192,15 @@ impl Axis {
                     false if digit == 1 => format!("10{}", raised(decade)),
                     false => format!("{digit}·10{}", raised(decade)),
                 });
-                ticks.push(Tick { value, text });
+                ticks.push(Tick { value: value * unit, text });
             }
         }
         ticks
     }
 }
 
-/// A number of nN, nm or aJ in the prefix that fits the largest one beside it, with so many significant digits and its unit.
-pub fn with_unit(units: &[Unit], value: f64, largest: f64, digits: i32) -> String {
-    let unit = Unit::fitting(units, largest);
+/// A number of nN, nm or aJ in this unit, with so many significant digits.
+pub fn with_unit(unit: Unit, value: f64, digits: i32) -> String {
     format!("{} {}", significant(unit.of(value), digits), unit.name)
 }
 
@@ -257,6 +285,35 @@ mod tests {
             ("force P (mN)".into(), ["0.0", "0.2", "0.4", "0.6", "0.8"].map(Into::into).to_vec())
         );
         assert_eq!(Axis::log("force P (nN)", 1e4, 1e6).title(), "force P (nN)", "a logarithmic axis has powers of ten");
+    }
+
+    #[test]
+    fn what_the_user_wants_comes_before_what_fits() {
+        let units = PreferredUnits::parse("mm,µN").unwrap();
+        let length = Axis::linear("displacement u (nm)", 0.0, 4e5).in_units(units);
+        assert_eq!(
+            (texts(&length, 4), length.title(), length.text_of(2.5e5, 3)),
+            (
+                ["0.0", "0.1", "0.2", "0.3", "0.4"].map(Into::into).to_vec(),
+                "displacement u (mm)".into(),
+                "0.250 mm".into()
+            )
+        );
+        let short = Axis::linear("u (nm)", 0.0, 70.0).in_units(units);
+        assert_eq!(
+            (texts(&short, 3), short.title()),
+            (["0", "20", "40", "60"].map(Into::into).to_vec(), "u (10⁻⁶ mm)".into())
+        );
+        let nano = PreferredUnits::parse("nm").unwrap();
+        let of_seta = Axis::linear("lift (µm)", 0.0, 0.3).in_units(nano);
+        assert_eq!((of_seta.title(), of_seta.text_of(0.25, 3)), ("lift (nm)".into(), "250 nm".into()));
+        let above = Axis { label: "(µm)".into(), ..of_seta };
+        assert_eq!((above.title(), above.text_of(0.25, 3)), (String::new(), "250 nm".into()));
+        let force = Axis::log("force P (nN)", 1e2, 1e4).in_units(units);
+        assert_eq!(
+            (texts(&force, 9), force.title()),
+            (["0.1", "1", "10"].map(Into::into).to_vec(), "force P (µN)".into())
+        );
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub use canvas::{Dash, Stroke};
 pub use drawn::DrawError;
 pub use output::save;
 pub use panel::{Band, Face, Line, Mark, Note, Panel, Rim, Shape};
-pub use picture::Picture;
+pub use picture::{Heading, Picture};
 pub use place::Frame;
 pub use plotters::style::RGBColor;
 pub use style::{WIDTH, colour, order_shade, signed_shade};

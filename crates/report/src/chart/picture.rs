@@ -5,6 +5,36 @@ use super::drawn::{DrawError, Drawn};
 use super::font;
 use super::panel::Panel;
 use super::style::{WIDTH, colour, size};
+use peelkit::units::PreferredUnits;
+use peelkit_scene::Scene;
+
+/// What a picture is called, and the units that the user wants in it.
+#[derive(Clone, Copy, Debug)]
+pub struct Heading<'h> {
+    /// The line above; further lines are a caption.
+    pub title: &'h str,
+    /// Of its axes and labels; of what has none the one that fits.
+    pub units: PreferredUnits,
+}
+
+impl<'h> Heading<'h> {
+    /// The same units under another title.
+    pub(crate) fn titled(self, title: &'h str) -> Self {
+        Self { title, ..self }
+    }
+}
+
+impl<'h> From<&'h str> for Heading<'h> {
+    fn from(title: &'h str) -> Self {
+        Self { title, units: PreferredUnits::default() }
+    }
+}
+
+impl<'h> From<&'h Scene> for Heading<'h> {
+    fn from(scene: &'h Scene) -> Self {
+        Self { title: &scene.title, units: scene.units }
+    }
+}
 
 /// Panels on a sheet under a title.
 #[derive(Clone, Debug)]
@@ -18,6 +48,14 @@ pub struct Picture {
 }
 
 impl Picture {
+    /// The same with the numbers of all axes in the units that the user wants.
+    pub fn in_units(mut self, units: PreferredUnits) -> Self {
+        for axis in self.panels.iter_mut().flat_map(|panel| [&mut panel.x, &mut panel.y]) {
+            axis.units = units;
+        }
+        self
+    }
+
     /// The picture as SVG text.
     ///
     /// # Errors

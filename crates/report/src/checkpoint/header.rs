@@ -3,6 +3,7 @@
 use crate::records::summary::{VERSION, parameters};
 use crate::writing::error::ReportError;
 use crate::writing::record::Object;
+use peelkit::units::PreferredUnits;
 use peelkit_scene::Scene;
 use serde::Serialize;
 use serde_json::Value;
@@ -22,6 +23,8 @@ struct Header<'h> {
 /// The text of a header: the program, what is computed, of which scene with its defaults, and the settings besides.
 pub(super) fn text(analysis: &'static str, scene: &Scene, settings: &[(&str, &str)]) -> io::Result<Vec<u8>> {
     let settings = settings.iter().copied().collect();
+    // in whatever units it is drawn
+    let scene = &Scene { units: PreferredUnits::default(), ..scene.clone() };
     Ok(serde_json::to_vec(&Header { analysis, version: VERSION, settings, scene: parameters(scene) })?)
 }
 

@@ -7,7 +7,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::{Dash, Stroke};
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
@@ -30,16 +30,17 @@ const COLOURS: [RGBColor; 7] = [
 /// measured points over them. Axes are logarithmic where `log` says so, x first.
 ///
 /// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_overlay(
+pub fn draw_overlay<'h>(
     results: &[ResultFile],
     measured: &[Measured],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let Some(first) = results.first() else {
         return Err(ReportError::Draw { path: dir.join("plot.svg"), reason: "there are no results".into() });
     };
+    let Heading { title, units } = heading.into();
     let key = first.key;
     let scale = key.map_or(1.0, |key| key.per_usual_unit());
     let titles = match first.kind {
@@ -77,5 +78,5 @@ pub fn draw_overlay(
     let dashed = panel.lines.iter().any(|line| line.stroke.dash == Dash::Dashed);
     let caption = if dashed { "\nDashed: unstable under displacement control." } else { "" };
     let picture = Picture { title: format!("{title}{caption}"), height: HEIGHT, panels: vec![panel] };
-    save(&picture, dir, "plot")
+    save(&picture.in_units(units), dir, "plot")
 }

@@ -6,13 +6,13 @@
 use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::panel::{Line, Mark, Note, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use crate::writing::names::first_jump_word;
 use peelkit::study::{LimitPoint, LimitPointKind, OutOfPlaneBranch, OutOfPlaneLoss, PathEnd, Peel};
-use peelkit::units::FORCES;
+use peelkit::units::{FORCES, PreferredUnits};
 
 const HEIGHT: u32 = 440;
 /// About how many points the curve is drawn with.
@@ -89,7 +89,7 @@ fn last_verified(peel: &Peel) -> Option<usize> {
 }
 
 /// The curve of a peel with two or more points.
-pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Picture {
+pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], Heading { title, units }: Heading) -> Picture {
     let curve = curve_of(peel);
     let farthest = curve.iter().fold(0.0f64, |r, p| r.max(p.0));
     let zoom = peel.initiation_peak.map(|p| INITIATION * p.displacement).filter(|&u| u > 0.0 && u < 0.4 * farthest);
@@ -102,18 +102,22 @@ pub(super) fn curve_picture(peel: &Peel, numbered: &[usize], title: &str) -> Pic
     let wide = f64::from(WIDTH) - 14.0;
     let mut panels = match zoom {
         Some(to) => {
-            let first = panel(frame(74.0, 284.0), &curve, to, highest(&curve), "initiation");
+            let first = panel(frame(74.0, 284.0), &curve, to, highest(&curve), units);
+            let first = Panel { title: "initiation".to_owned(), ..first };
             let force = beyond(peel, &curve, to);
             let cut = peel.initiation_peak.map(|peak| peak.force).filter(|&peak| peak > 1.2 * force);
             let title = match cut {
-                Some(peak) => format!("whole path without its peak, {}", with_unit(FORCES, peak, peak, 4)),
+                Some(peak) => {
+                    format!("whole path without its peak, {}", with_unit(units.fitting(FORCES, peak), peak, 4))
+                }
                 None => "whole path".to_owned(),
             };
-            let mut whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, force, &title);
+            let whole = panel(frame(366.0, wide), &curve, 1.04 * farthest, force, units);
+            let mut whole = Panel { title, ..whole };
             whole.y.beside = first.y.to;
             vec![whole, first]
         }
-        None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), "")],
+        None => vec![panel(frame(84.0, wide), &curve, 1.04 * farthest, highest(&curve), units)],
     };
     name_stability(&mut panels[0], &curve);
     let panel_of = |at: (f64, f64)| {
@@ -142,14 +146,14 @@ fn beyond(peel: &Peel, curve: &Curve, u: f64) -> f64 {
 }
 
 /// A panel from u = 0 or the smallest u to `to`, its force axis up to a little over `force`.
-fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, title: &str) -> Panel {
+fn panel(frame: Frame, curve: &Curve, to: f64, force: f64, units: PreferredUnits) -> Panel {
     let shown = || curve.iter().filter(|p| p.0 <= to);
     let (left, low) = shown().fold((0.0f64, 0.0f64), |(u, f), p| (u.min(p.0), f.min(p.1)));
     let bottom = if low < -0.005 * force { low - 0.06 * (force - low) } else { 0.0 };
     let left = if left < -1e-6 * to { left - 0.03 * to } else { 0.0 };
-    let x = Axis::linear("displacement u (nm)", left, to);
-    let mut panel = Panel::new(frame, x, Axis::linear("force P (nN)", bottom, force + 0.12 * (force - bottom)));
-    panel.title = title.into();
+    let x = Axis::linear("displacement u (nm)", left, to).in_units(units);
+    let y = Axis::linear("force P (nN)", bottom, force + 0.12 * (force - bottom)).in_units(units);
+    let mut panel = Panel::new(frame, x, y);
     if bottom < 0.0 {
         let zero = vec![(left, 0.0), (to, 0.0)];
         panel.lines.push(Line { points: zero, stroke: Stroke::solid(colour::GREY, 0.9), name: None });

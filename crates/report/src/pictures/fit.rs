@@ -23,12 +23,12 @@ const RIGHT: f64 = WIDTH as f64 - 18.0;
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]).
 pub fn draw_fit(of: &FitReport, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let (fit, title) = (of.fit, of.scene.title.as_str());
-    let mut files = save(&curves(of), dir, "fit")?;
+    let (fit, units) = (of.fit, of.scene.units);
+    let mut files = save(&curves(of).in_units(units), dir, "fit")?;
     let profiles: Vec<_> =
         fit.parameters.iter().filter_map(|parameter| Some((parameter, parameter.profile.as_ref()?))).collect();
     if !profiles.is_empty() {
-        files.extend(save(&of_profiles(&profiles, title), dir, "profiles")?);
+        files.extend(save(&of_profiles(&profiles, &of.scene.title).in_units(units), dir, "profiles")?);
     }
     Ok(files)
 }
@@ -79,7 +79,11 @@ fn curves(of: &FitReport) -> Picture {
 fn residuals(fit: &Fit, x: Axis, scale: f64) -> Panel {
     let residual = |p: &peelkit::study::FittedPoint| (scale * p.displacement, (p.modelled - p.force) / p.error);
     let shade = |place| if place == PointPlace::OnBranch { colour::INK } else { colour::ORANGE };
-    let marks: Vec<Mark> = fit.points.iter().map(|p| Mark::dot(residual(p), shade(p.place))).collect();
+    let name = |place| {
+        (place != PointPlace::OnBranch).then(|| "before the start, or behind the jump, of the model".to_owned())
+    };
+    let mark = |p: &peelkit::study::FittedPoint| Mark { name: name(p.place), ..Mark::dot(residual(p), shade(p.place)) };
+    let marks: Vec<Mark> = fit.points.iter().map(mark).collect();
     let y = Axis::around("residual / standard error", marks.iter().map(|mark| mark.at.1).chain([-3.0, 3.0]), false);
     let level = |height: f64, stroke| Line { points: vec![(x.from, height), (x.to, height)], stroke, name: None };
     let lines = vec![

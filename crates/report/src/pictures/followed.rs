@@ -5,7 +5,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::Line;
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::writing::error::ReportError;
@@ -17,10 +17,10 @@ use std::path::{Path, PathBuf};
 ///
 /// Fails where no value has the point, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be
 /// written ([`ReportError::Write`]).
-pub fn draw_followed(
+pub fn draw_followed<'h>(
     sweep: &FollowedSweep,
     key: &str,
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: bool,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -30,7 +30,8 @@ pub fn draw_followed(
         let (count, point) = (sweep.rows.len(), sweep.kind.word());
         return Err(refuse(format!("none of the {count} values of {key} has the {point}")));
     }
-    save(&picture(sweep, key, title, log), dir, "sweep")
+    let Heading { title, units } = heading.into();
+    save(&picture(sweep, key, title, log).in_units(units), dir, "sweep")
 }
 
 fn picture(sweep: &FollowedSweep, key: &str, title: &str, log: bool) -> Picture {

@@ -5,10 +5,11 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::writing::error::ReportError;
+use crate::writing::names::quantity_title;
 use peelkit::model::PeelModel;
 use peelkit::study::Peel;
 use peelkit::study::optimisation::{DesignFound, DesignProblem, Objective, Optimum, ProfileColumn};
@@ -26,12 +27,13 @@ const DENSE: usize = 8;
 /// and the objective against the designs of each search.
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]) or drawn ([`ReportError::Draw`]).
-pub fn draw_optimum(
+pub fn draw_optimum<'h>(
     problem: &DesignProblem,
     optimum: &Optimum,
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
+    let Heading { title: above, units } = heading.into();
     let mut sheet = Sheet::default();
     let models = [&optimum.before, &optimum.after].map(|design| (problem.model)(&design.values));
     let is_free = |column| problem.variables.iter().any(|variable| variable.along.is_some_and(|(of, _)| of == column));
@@ -56,12 +58,16 @@ pub fn draw_optimum(
     let lines = optimum.searches.iter().enumerate().map(|(k, search)| {
         let value = |(k, log_value): (usize, Option<f64>)| log_value.map(|value| (k as f64, value.exp()));
         let points = search.evaluations.iter().map(|design| design.log_value).enumerate().filter_map(value).collect();
-        line(points, order_shade(k, count), &format!("search {k}"))
+        line(points, order_shade(k, count), &format!("search {}", k + 1))
     });
     let lines: Vec<Line> = lines.collect();
-    sheet.add("", ["designs evaluated", problem.objective.quantity().name()], lines);
+    let objective = match problem.objective {
+        Objective::Quantity(of) => quantity_title(of),
+        Objective::Ratio { .. } => "holding over release".to_owned(),
+    };
+    sheet.add("", ["designs evaluated", &objective], lines);
     let height = sheet.top as u32;
-    save(&Picture { title: title.into(), height, panels: sheet.panels }, dir, "optimum")
+    save(&Picture { title: above.into(), height, panels: sheet.panels }.in_units(units), dir, "optimum")
 }
 
 /// Panels below one another.

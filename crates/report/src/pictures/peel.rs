@@ -4,7 +4,7 @@ use super::curve::{add_branch, curve_picture, limit_at, mark_loss, nearest_to};
 use super::shapes::posed::{Posed, shapes_picture};
 use crate::chart::marked::{Marked, mark_found};
 use crate::chart::output::save;
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::pictures::shapes::in_space;
 use crate::writing::error::ReportError;
 use crate::writing::names::end_reason;
@@ -23,29 +23,31 @@ const SHAPES: usize = 6;
 /// numbers on the curve.
 ///
 /// Fails where there is nothing to draw ([`ReportError::Draw`]) or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_peel(
+pub fn draw_peel<'h>(
     peel: &Peel,
     out_of_plane: Option<&OutOfPlane>,
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_peel_with_branch(peel, out_of_plane, None, &[], title, dir)
+    draw_peel_with_branch(peel, out_of_plane, None, &[], heading, dir)
 }
 
 /// The same with the branch that leaves the plane at the first loss, and with what is `marked` on the path, in the same pictures.
 ///
 /// Fails as [`draw_peel`].
-pub fn draw_peel_with_branch(
+pub fn draw_peel_with_branch<'h>(
     peel: &Peel,
     out_of_plane: Option<&OutOfPlane>,
     branch: Option<&OutOfPlaneBranch>,
     marked: &[Marked],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let numbered = numbered_points(peel);
-    let title = captioned(peel, title);
-    let mut picture = curve(peel, &numbered, &title, &dir.join("curve.svg"))?;
+    let heading = heading.into();
+    let title = captioned(peel, heading.title);
+    let heading = heading.titled(&title);
+    let mut picture = curve(peel, &numbered, heading, &dir.join("curve.svg"))?;
     if let Some(loss) = out_of_plane.and_then(|stability| stability.first_loss) {
         mark_loss(&mut picture, &loss);
     }
@@ -54,16 +56,16 @@ pub fn draw_peel_with_branch(
     }
     mark_found(&mut picture.panels, marked);
     let mut files = save(&picture, dir, "curve")?;
-    files.extend(save(&shapes(peel, &numbered, &title, &dir.join("shapes.svg"))?, dir, "shapes")?);
+    files.extend(save(&shapes(peel, &numbered, heading, &dir.join("shapes.svg"))?, dir, "shapes")?);
     Ok(files)
 }
 
 /// The text of curve.svg, without the numbers of deformed shapes and without a stability out of the plane.
 ///
 /// Fails where there is nothing to draw ([`ReportError::Draw`]).
-pub fn curve_svg(peel: &Peel, title: &str) -> Result<String, ReportError> {
-    let path = Path::new("curve.svg");
-    let picture = curve(peel, &[], &captioned(peel, title), path)?;
+pub fn curve_svg<'h>(peel: &Peel, heading: impl Into<Heading<'h>>) -> Result<String, ReportError> {
+    let (path, heading) = (Path::new("curve.svg"), heading.into());
+    let picture = curve(peel, &[], heading.titled(&captioned(peel, heading.title)), path)?;
     picture.svg().map_err(|error| ReportError::Draw { path: path.to_path_buf(), reason: error.to_string() })
 }
 
@@ -109,23 +111,33 @@ pub fn pose(peel: &Peel, index: usize) -> Option<Pose> {
 /// The curve of a peel that has one; `path` is what the message names.
 ///
 /// Fails with [`ReportError::Draw`] where the path has fewer than two points.
-pub fn curve(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
+pub fn curve<'h>(
+    peel: &Peel,
+    numbered: &[usize],
+    heading: impl Into<Heading<'h>>,
+    path: &Path,
+) -> Result<Picture, ReportError> {
     if peel.points.len() < 2 {
         return Err(nothing(path, peel));
     }
-    Ok(curve_picture(peel, numbered, title))
+    Ok(curve_picture(peel, numbered, heading.into()))
 }
 
 /// The deformed strip at the numbered points; `path` is what the message names.
 ///
 /// Fails with [`ReportError::Draw`] where none of the points has a shape.
-pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Result<Picture, ReportError> {
+pub fn shapes<'h>(
+    peel: &Peel,
+    numbered: &[usize],
+    heading: impl Into<Heading<'h>>,
+    path: &Path,
+) -> Result<Picture, ReportError> {
     if let Some(space) = &peel.model.space {
         let posed = in_space::posed(peel, numbered);
         if posed.is_empty() {
             return Err(nothing(path, peel));
         }
-        return Ok(in_space::shapes_picture(&posed, &peel.model, space, title));
+        return Ok(in_space::shapes_picture(&posed, &peel.model, space, heading.into()));
     }
     // A force that the path has brought to zero is printed as zero.
     let largest = peel.points.iter().fold(0.0f64, |r, p| r.max(p.force.abs()));
@@ -146,7 +158,7 @@ pub fn shapes(peel: &Peel, numbered: &[usize], title: &str, path: &Path) -> Resu
     if poses.is_empty() {
         return Err(nothing(path, peel));
     }
-    Ok(shapes_picture(&poses, &peel.model.ground.substrate, title))
+    Ok(shapes_picture(&poses, &peel.model.ground.substrate, heading.into()))
 }
 
 fn nothing(path: &Path, peel: &Peel) -> ReportError {

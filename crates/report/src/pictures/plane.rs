@@ -5,13 +5,14 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Note, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use crate::swept::SweepRow;
 use crate::swept::{SweptKeys, as_given};
 use crate::writing::error::ReportError;
+use peelkit::units::PreferredUnits;
 use std::path::{Path, PathBuf};
 
 /// Shades of the colour bar.
@@ -34,17 +35,18 @@ const MARKED: usize = 400;
 ///
 /// Fails where there is no second key, no pair has a peak force, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file
 /// cannot be written ([`ReportError::Write`]).
-pub fn draw_plane(
+pub fn draw_plane<'h>(
     rows: &[SweepRow],
     keys: SweptKeys,
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let places: Vec<_> = rows.iter().map(|row| (row.value, row.second)).collect();
     let forces = rows.iter().map(|row| row.found.peak.map(|at| at.force)).collect();
+    let heading = heading.into();
     let works = rows.iter().map(|row| row.found.snap_off.map(|at| at.work)).collect();
-    draw_maps(&places, &[("peak force P (nN)", forces), ("work to snap-off W (aJ)", works)], keys, title, log, dir)
+    draw_maps(&places, &[("peak force P (nN)", forces), ("work to snap-off W (aJ)", works)], keys, heading, log, dir)
 }
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: a map of each of these quantities, with its label, over the values of two keys, angles in degrees. The first one has to
@@ -55,7 +57,7 @@ pub(crate) fn draw_maps(
     places: &[(f64, Option<f64>)],
     quantities: &[(&str, Vec<Option<f64>>)],
     keys: SweptKeys,
-    title: &str,
+    Heading { title, units }: Heading,
     log: [bool; 2],
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -80,11 +82,11 @@ pub(crate) fn draw_maps(
         let map = Map::new(&axes, &places, values);
         if map.values.iter().flatten().next().is_some() {
             let top = panels.last().map_or(TOP, |below: &Panel| below.frame.bottom + 74.0);
-            panels.extend(map.panels(&axes, label, top));
+            panels.extend(map.panels(&axes, label, top, units));
         }
     }
     let height = panels.last().map_or(0.0, |panel| panel.frame.bottom) + 54.0;
-    save(&Picture { title: title.into(), height: height as u32, panels }, dir, "sweep")
+    save(&Picture { title: title.into(), height: height as u32, panels }.in_units(units), dir, "sweep")
 }
 
 /// Each value once, ascending.
@@ -157,12 +159,12 @@ impl Map {
     }
 
     /// The map and its colour bar.
-    fn panels(&self, axes: &[Grid; 2], label: &str, top: f64) -> [Panel; 2] {
+    fn panels(&self, axes: &[Grid; 2], label: &str, top: f64, units: PreferredUnits) -> [Panel; 2] {
         let known = || self.values.iter().flatten().copied();
         let (low, high) = known().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         let log = low > 0.0 && high > 8.0 * low;
         let margin = if high > low { 0.0 } else { 0.05 * high.abs().max(f64::MIN_POSITIVE) };
-        let scale = Axis { log, ..Axis::linear(label, low - margin, high + margin) };
+        let scale = Axis { log, units, ..Axis::linear(label, low - margin, high + margin) };
         let bottom = top + 300.0;
         let frame = Frame { left: 88.0, top, right: f64::from(WIDTH) - 170.0, bottom };
         let mut map = Panel::new(frame, axes[0].axis.clone(), axes[1].axis.clone());

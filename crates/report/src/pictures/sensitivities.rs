@@ -4,7 +4,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::writing::error::ReportError;
@@ -36,10 +36,10 @@ const SHOWN: [(PeelQuantity, &str); 5] = [
 /// these keys, largest first.
 ///
 /// Fails with [`ReportError::Draw`] where there is none of them, and where a file cannot be written.
-pub fn draw_sensitivities(
+pub fn draw_sensitivities<'h>(
     exponents: &[Exponent],
     keys: &[String],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut panels: Vec<Panel> = Vec::new();
@@ -61,7 +61,7 @@ pub fn draw_sensitivities(
         let reason = "the path has no result that can be differentiated".to_owned();
         return Err(ReportError::Draw { path: dir.join("sensitivities.svg"), reason });
     }
-    save(&Picture { title: title.into(), height: top as u32, panels }, dir, "sensitivities")
+    save(&Picture { title: heading.into().title.into(), height: top as u32, panels }, dir, "sensitivities")
 }
 
 /// Named bars from zero, the first at the top: those to the right in blue, those to the left in vermillion.

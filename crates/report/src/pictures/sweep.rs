@@ -4,7 +4,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::{Dash, Stroke};
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::swept::SweepRow;
@@ -33,10 +33,10 @@ pub const STIFFNESS_LABEL: &str = "EI / EI₀";
 ///
 /// Fails where no value has the point, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be
 /// written ([`ReportError::Write`]).
-pub fn draw_sweep(
+pub fn draw_sweep<'h>(
     rows: &[SweepRow],
     key: &str,
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: bool,
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -45,7 +45,8 @@ pub fn draw_sweep(
     if rows.iter().all(|row| row.found.peak.is_none()) {
         return Err(refuse(format!("none of the {} values of {key} has a peak force", rows.len())));
     }
-    save(&sweep_picture(rows, key, title, log), dir, "sweep")
+    let Heading { title, units } = heading.into();
+    save(&sweep_picture(rows, key, title, log).in_units(units), dir, "sweep")
 }
 
 /// Whether all values of `key` have a place on the axis; else the first that has none.

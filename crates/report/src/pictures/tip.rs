@@ -4,7 +4,7 @@ use crate::chart::axis::{Axis, significant};
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, order_shade};
 use crate::chart::symbol::Symbol;
@@ -19,7 +19,11 @@ const POINTS: usize = 240;
 /// Draws `tip_law.svg` and `tip_law.png` into `dir`: the normal force at several rotations, and beside it at several v, or the moment where the pad slides.
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]).
-pub fn draw_tip_law(table: &TipTable, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_tip_law<'h>(
+    table: &TipTable,
+    heading: impl Into<Heading<'h>>,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
     let range = &table.options.range;
     let rotations: Vec<(TipPlace, String)> = spread(range.rotation)
         .map(|rotation| (TipPlace { rotation, ..TipPlace::default() }, format!("θ = {} rad", significant(rotation, 2))))
@@ -34,7 +38,8 @@ pub fn draw_tip_law(table: &TipTable, title: &str, dir: &Path) -> Result<Vec<Pat
             force(1, &lateral.collect::<Vec<_>>())
         }
     };
-    save(&Picture::of(title, vec![force(0, &rotations), second]), dir, "tip_law")
+    let Heading { title, units } = heading.into();
+    save(&Picture::of(title, vec![force(0, &rotations), second]).in_units(units), dir, "tip_law")
 }
 
 /// Evenly over a range.

@@ -5,10 +5,11 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::{Dash, Stroke};
 use crate::chart::output::save;
 use crate::chart::panel::{Band, Line, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::writing::error::ReportError;
+use crate::writing::names::quantity_title;
 use peelkit::study::uncertainty::{ALONE_AT, Analysis, NumberAnalysis, Order, Statistics};
 use peelkit_scene::find_key;
 use std::path::{Path, PathBuf};
@@ -32,13 +33,18 @@ const BETWEEN: f64 = 86.0;
 /// distribution of linear propagation, the sensitivity indices with their errors, and what each input does alone.
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]) or drawn ([`ReportError::Draw`]).
-pub fn draw_uncertainty(analysis: &Analysis, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_uncertainty<'h>(
+    analysis: &Analysis,
+    heading: impl Into<Heading<'h>>,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let Heading { title, units } = heading.into();
     let mut files = Vec::new();
     for number in &analysis.numbers {
         let Some(statistics) = number.statistics.as_ref().filter(|of| of.largest > of.smallest) else { continue };
         let stem = number.of.name().replace('.', "-");
         let stem = stem.rsplit_once('_').map_or(stem.as_str(), |(name, _)| name);
-        files.extend(save(&picture(analysis, number, statistics, title), dir, stem)?);
+        files.extend(save(&picture(analysis, number, statistics, title).in_units(units), dir, stem)?);
     }
     Ok(files)
 }
@@ -61,12 +67,6 @@ fn picture(analysis: &Analysis, number: &NumberAnalysis, statistics: &Statistics
         panels.push(tornado(&alone, taylor.value, number, frame));
     }
     Picture { title: title.into(), height: (top - 30.0) as u32, panels }
-}
-
-/// What the axis of a number is called: "initiation_peak.force (nN)".
-fn label(number: &NumberAnalysis) -> String {
-    let name = number.of.name();
-    format!("{} ({})", name.rsplit_once('_').map_or(name, |(name, _)| name), number.of.unit())
 }
 
 /// By the rule of Freedman and Diaconis: bars of twice the distance of the quartiles over the cube root of the number of samples.
@@ -111,7 +111,7 @@ fn histogram(number: &NumberAnalysis, statistics: &Statistics, frame: Frame) -> 
         colour: colour::GREEN,
         name: Some("90 % of the samples".into()),
     });
-    let x = Axis::linear(&label(number), from - 0.02 * (to - from), to + 0.02 * (to - from));
+    let x = Axis::linear(&quantity_title(number.of), from - 0.02 * (to - from), to + 0.02 * (to - from));
     let y = Axis::linear(&format!("density (1/{})", number.of.unit()), 0.0, 1.08 * top);
     let bands = band.into_iter().collect();
     Panel { shapes: counts.iter().enumerate().map(bar).collect(), lines, bands, ..Panel::new(frame, x, y) }
@@ -197,7 +197,7 @@ fn tornado(rows: &[(String, [f64; 2])], center: f64, number: &NumberAnalysis, fr
     let values = || rows.iter().flat_map(|row| row.1).chain([center]);
     let (low, high) = values().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
     let margin = 0.05 * (high - low).max(1e-12 * center.abs());
-    let x = Axis::linear(&label(number), low - margin, high + margin);
+    let x = Axis::linear(&quantity_title(number.of), low - margin, high + margin);
     let name = |path: &str| find_key(path).map_or_else(|_| path.to_owned(), peelkit_scene::Key::path);
     let y = Axis::of_names(rows.iter().rev().map(|row| name(&row.0)).collect());
     let mut shapes = Vec::new();

@@ -4,7 +4,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::Panel;
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::WIDTH;
 use crate::pictures::plane::draw_maps;
@@ -38,14 +38,14 @@ pub(crate) fn draw_swept_pulls<F>(
     keys: SweptKeys,
     rows: &[PullRow<F>],
     (quantities, none): (&[Quantity<F>], &str),
-    title: &str,
+    heading: Heading,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
     if keys.second.is_some() {
         let places: Vec<_> = rows.iter().map(|row| (row.value, row.second)).collect();
         let mapped = quantities.iter().filter(|own| own.has_map);
         let maps: Vec<_> = mapped.map(|own| (own.label, rows.iter().map(own.of).collect())).collect();
-        return draw_maps(&places, &maps, keys, title, log, dir);
+        return draw_maps(&places, &maps, keys, heading, log, dir);
     }
     let key = keys.first.path();
     let refuse = |reason: String| ReportError::Draw { path: dir.join("sweep.svg"), reason };
@@ -53,7 +53,7 @@ pub(crate) fn draw_swept_pulls<F>(
     if quantities.first().is_none_or(|first| rows.iter().all(|row| (first.of)(row).is_none())) {
         return Err(refuse(format!("none of the {} values of {key} {none}", rows.len())));
     }
-    save(&picture(rows, quantities, &key, title, log[0]), dir, "sweep")
+    save(&picture(rows, quantities, &key, heading.title, log[0]).in_units(heading.units), dir, "sweep")
 }
 
 fn picture<F>(rows: &[PullRow<F>], quantities: &[Quantity<F>], key: &str, title: &str, log: bool) -> Picture {

@@ -2,6 +2,7 @@
 
 pub(crate) mod error;
 pub(crate) mod file;
+pub(crate) mod in_units;
 pub(crate) mod names;
 pub(crate) mod number;
 pub(crate) mod record;

@@ -1,7 +1,9 @@
 //! What ends, points and forms are called in outputs.
 
 use peelkit::model::Form;
-use peelkit::study::{Bound, Jump, JumpKind, LeftModel, LimitPointKind, ModelLimit, PathEnd, Peel, TestEnd};
+use peelkit::study::{
+    Bound, Jump, JumpKind, LeftModel, LimitPointKind, ModelLimit, PathEnd, Peel, PeelQuantity, TestEnd,
+};
 use peelkit_scene::{Described, Scene};
 
 /// The name of an end in outputs.
@@ -131,4 +133,11 @@ pub fn unknown_error(scene: &Scene) -> Option<&'static str> {
         }
         Described::Peel => return None,
     })
+}
+
+/// A number of a run as the title of an axis: "initiation peak, force (nN)".
+pub(crate) fn quantity_title(of: PeelQuantity) -> String {
+    let name = of.name();
+    let words = name.strip_suffix(of.unit()).unwrap_or(name).trim_end_matches('_');
+    format!("{} ({})", words.replace('.', ", ").replace('_', " "), of.unit())
 }

@@ -106,7 +106,7 @@ impl Key {
             Misfit::BesideArray => ValueError::new(
                 "is given, and the scene has [setae], an array, which has no such key",
                 format!(
-                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive], `time` of [bounds], [optimise] and [uncertainty]."
+                    "Remove `{name}`: beside [setae] stand [patch], [lamella], [toe], `angle` of [drive], `time` of [bounds], `units` of [output], [optimise] and [uncertainty]."
                 ),
             ),
             Misfit::NoTable if BODIES.contains(&table) => ValueError::new(

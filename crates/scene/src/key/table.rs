@@ -34,6 +34,7 @@ impl Table {
             "setae" | "patch" | "lamella" | "toe" | "optimise" | "uncertainty" => true,
             "bounds" => name == "time",
             "" => name == "title",
+            "output" => name == "units",
             "drive" => name == "angle",
             _ => false,
         }
@@ -124,8 +125,11 @@ pub(crate) static ACCURACY: Table = table(
     BesideSeta::These(&["relative", "order"]),
 );
 pub(crate) static PATH: Table = table("path", "As far as what the path is followed.", BesideSeta::None);
-pub(crate) static OUTPUT: Table =
-    table("output", "Where the path is computed besides, and what is looked for on the way.", BesideSeta::All);
+pub(crate) static OUTPUT: Table = table(
+    "output",
+    "Where the path is computed besides, what is looked for on the way, and in what units it is drawn.",
+    BesideSeta::All,
+);
 pub(crate) static BOUNDS: Table = table("bounds", "Where a computation stops at the latest.", BesideSeta::All);
 pub(crate) static FIT: Table = Table {
     name: "fit",

@@ -12,6 +12,7 @@ use bounds::BoundsTable;
 use peelkit::beam::Material;
 use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip, StripModel};
 use peelkit::study::{self, Accuracy, EventAt, PeelQuantity, SetaTimeAccuracy, StationAt};
+use peelkit::units::PreferredUnits;
 use rate::TimeTable;
 use seta::SetaTable;
 use solid::SolidTable;
@@ -44,6 +45,8 @@ pub struct Scene {
     pub stations: Vec<StationAt>,
     /// What is looked for on the way.
     pub events: Vec<EventAt>,
+    /// The units of what is printed and drawn, and of tables besides.
+    pub units: PreferredUnits,
     /// What `peel fit` determines, where the scene says so.
     pub fit: Option<FitTable>,
     /// What is optimised, where the scene says so; `peel optimise` does it.
@@ -156,6 +159,7 @@ impl Scene {
             time: None,
             stations: Vec::new(),
             events: Vec::new(),
+            units: PreferredUnits::default(),
             fit: None,
             optimisation: None,
             uncertainty: None,

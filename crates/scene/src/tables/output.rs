@@ -1,4 +1,4 @@
-//! The table `output`: the stations at which a path is computed besides, and events of the user, in a scene and on the command line.
+//! The table `output`: the stations at which a path is computed besides, events of the user, and units, in a scene and on the command line.
 
 use super::measured::{ANY, condition, named, number, quantity, text};
 use crate::error::{ValueError, one_line};
@@ -7,6 +7,7 @@ use crate::value::form::{Entry, Form};
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value, quoted};
 use peelkit::study::{EventAction, EventAt, StationAt, StationQuantity};
+use peelkit::units::{FORCES, LENGTHS, PreferredUnits, Unit, WORKS};
 
 /// Most stations of a path, and most events.
 const MOST: usize = 1000;
@@ -178,4 +179,45 @@ fn written_events(events: &[EventAt]) -> Value {
         Some(Value::Table(vec![entry("name", &event.name), entry("when", &when), entry("action", event.action.name())]))
     };
     Value::List(events.iter().filter_map(one).collect())
+}
+
+// -- Units --
+
+/// `units`
+pub(crate) static UNITS: Setting = Setting {
+    takes: "a text of at most one unit each of forces, lengths and works",
+    brief: "a text of units",
+    example: "\"mN, mm, nJ\"",
+    form: || Form::Text,
+    read: |scene, value, _| {
+        let Value::Text(text) = value else { return Err(Fault::whole(format!("is {value}, no text of units"))) };
+        scene.units = PreferredUnits::parse(text).map_err(|word| Fault::whole(no_unit(word)))?;
+        Ok(())
+    },
+    write: |scene, _| {
+        let names: Vec<&str> = scene.units.given().map(|unit| unit.name).collect();
+        (!names.is_empty()).then(|| Value::Text(names.join(", ")))
+    },
+};
+
+fn no_unit(word: &str) -> String {
+    format!("has {}, which is no unit of a force, a length or a work that results are written in", quoted(word))
+}
+
+/// The units of the command line, `mN,mm`.
+///
+/// Fails where a word is none of them.
+pub fn units(text: &str) -> Result<PreferredUnits, ValueError> {
+    let names = |units: &[Unit]| units.iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ");
+    PreferredUnits::parse(text).map_err(|word| {
+        ValueError::new(
+            no_unit(word),
+            format!(
+                "Give one unit each of what is not to be chosen by size: of forces {}; of lengths {}; of works {}. For example --units µN,µm,fJ.",
+                names(FORCES),
+                names(LENGTHS),
+                names(WORKS)
+            ),
+        )
+    })
 }

@@ -40,7 +40,7 @@ fn table(outcome: &RunOutcome, scene: &Scene) -> Result<Vec<u8>, Refusal> {
 
 fn picture(outcome: &RunOutcome, scene: &Scene) -> Result<Vec<u8>, Refusal> {
     match outcome {
-        RunOutcome::Peel(found) => Ok(curve_svg(&found.peel, &scene.title)?.into_bytes()),
+        RunOutcome::Peel(found) => Ok(curve_svg(&found.peel, scene)?.into_bytes()),
         _ => written(outcome, scene, "curve.svg"),
     }
 }

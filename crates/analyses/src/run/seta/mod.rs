@@ -168,7 +168,7 @@ impl Outcome for SetaOutcome {
             files.push(report::write_passed(dir, &passed)?);
         }
         if pull_off.points.len() > 1 {
-            files.extend(report::draw_pull_off(dir, pull_off, seta, &passed, &scene.title)?);
+            files.extend(report::draw_pull_off(dir, pull_off, seta, &passed, scene)?);
         }
         if let Some(count) = self.asked.states {
             let states = self.states(count as usize);

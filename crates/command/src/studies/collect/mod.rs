@@ -36,23 +36,23 @@ pub struct Collect {
 }
 
 pub fn collect(args: &Collect) -> Result<(), Stop> {
-    let wanted = args.units.wanted()?;
     let parts = Parts::read(&args.folders)?;
     let header = parts.header();
-    let scene = Scene::parse(&header.name, &header.sweep.scene, &[])?;
+    let mut scene = Scene::parse(&header.name, &header.sweep.scene, &[])?;
+    args.units.put(&mut scene)?;
     let cases = Cases::along(&scene, &parts.axes()?, None).map_err(|why| Stop::refused(&scene, why))?;
     let merged = Merged::of(&parts, &cases)?;
     let (missing, missing_text) = (merged.missing_parts(), merged.missing_text());
     let found = SweepOutcome::of(&cases, Rows::Peels(merged.rows), merged.remarks);
     let command = command(args, header);
     let files = match args.out.folder(args.json, || header.folder.clone()) {
-        Some(folder) => write(args, &folder, header, missing, |dir| found.write(&scene, dir, &command))?,
+        Some(folder) => write(args, &folder, header, missing, |dir| found.write_all(&scene, dir, &command))?,
         None => Vec::new(),
     };
     if args.json {
         say(&found.json(&scene, Some(&command)).map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", table(&scene, &found, wanted), list_files(&Ok(files))))?;
+        say(&format!("{}\n{}", table(&scene, &found, scene.units), list_files(&Ok(files))))?;
     }
     let short: Vec<String> = missing_text.into_iter().chain(found.failed()).collect();
     if short.is_empty() { Ok(()) } else { Err(Stop::cut_short(short.join("\nand "))) }

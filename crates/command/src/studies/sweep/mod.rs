@@ -11,16 +11,18 @@ use crate::studies::drive::Drive;
 use crate::terminal::progress::Bar;
 use crate::terminal::stop::Stop;
 use crate::text_summary;
-use crate::text_summary::units::WantedUnits;
+use peelkit::units::PreferredUnits;
 use peelkit_analyses::{Axis, Cases, Rows, Sweep as Analysis, SweepOutcome};
 use peelkit_report::SweptKeys;
 use peelkit_scene::{Key, Scene};
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
-    let scene = args.scene.load_any()?;
+    let mut scene = args.scene.load_any()?;
+    args.units.put(&mut scene)?;
+    let scene = scene;
     let refused = |why| Stop::refused(&scene, why);
     Analysis::allows(&scene, args.followed().is_some(), args.part.is_some()).map_err(refused)?;
-    let wanted = args.units.wanted()?;
+    let wanted = scene.units;
     let parameters = args.varied.parameters()?;
     let axes = parameters.iter().map(|parameter| axes::read(&scene, parameter));
     let axes = axes.collect::<Result<Vec<Axis>, Stop>>()?;
@@ -53,7 +55,7 @@ fn refuse_set_keys(overrides: &[(String, String)], keys: SweptKeys) -> Result<()
 }
 
 /// The rows for a person.
-pub fn table(scene: &Scene, found: &SweepOutcome, wanted: WantedUnits) -> String {
+pub fn table(scene: &Scene, found: &SweepOutcome, wanted: PreferredUnits) -> String {
     let (keys, remarks) = (found.keys, &found.remarks);
     match &found.rows {
         Rows::Peels(rows) => text_summary::of_many::sweep::sweep(scene, keys, rows, remarks, wanted),

@@ -1,14 +1,15 @@
 //! A sweep as a table.
 
 use crate::text_summary::number::{in_unit, short};
-use crate::text_summary::units::{Unit, Units, WantedUnits};
+use crate::text_summary::units::{Unit, Units};
 use peelkit::study::{FollowedSweep, PointKind};
+use peelkit::units::PreferredUnits;
 use peelkit_report::{SweepRow, SweptKeys, as_given, end_word};
 use peelkit_scene::{Key, Scene};
 use std::fmt::{Display, Write};
 
 /// A sweep as a table, with what is to be said of its rows.
-pub fn sweep(scene: &Scene, keys: SweptKeys, rows: &[SweepRow], remarks: &[String], wanted: WantedUnits) -> String {
+pub fn sweep(scene: &Scene, keys: SweptKeys, rows: &[SweepRow], remarks: &[String], wanted: PreferredUnits) -> String {
     let Units { force, length, work } = Units::fitting(wanted, sizes(rows));
     let mut text = title(scene, keys);
     let missed = rows.iter().filter(|row| row.found.reached.is_some_and(|reached| reached > row.found.asked));
@@ -54,7 +55,7 @@ pub fn sweep(scene: &Scene, keys: SweptKeys, rows: &[SweepRow], remarks: &[Strin
 }
 
 /// A sweep that followed one point as a table, with what happened to the point on the way.
-pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64], wanted: WantedUnits) -> String {
+pub fn followed(scene: &Scene, key: &Key, sweep: &FollowedSweep, solve_s: &[f64], wanted: PreferredUnits) -> String {
     let points = sweep.rows.iter().filter_map(|row| row.point);
     let sizes = points.map(|at| [at.force, at.displacement, at.work.unwrap_or(0.0)]);
     let Units { force, length, work } = Units::fitting(wanted, largest(sizes));

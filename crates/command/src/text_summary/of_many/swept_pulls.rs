@@ -1,8 +1,9 @@
 //! Sweeps of pulls at a rate and of setae as tables.
 
 use crate::text_summary::of_many::sweep::{headed, largest, listed, none, pair, title, values};
-use crate::text_summary::units::{Unit, Units, WantedUnits};
+use crate::text_summary::units::{Unit, Units};
 use peelkit::study::SetaMoment;
+use peelkit::units::PreferredUnits;
 use peelkit_report::{RateRow, SetaRow, SweptKeys};
 use peelkit_scene::Scene;
 use std::fmt::Write;
@@ -13,7 +14,7 @@ pub fn swept_setae(
     keys: SweptKeys,
     rows: &[SetaRow],
     remarks: &[String],
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let found = || rows.iter().filter_map(|row| row.found.as_ref().ok());
     let sizes = found().map(|found| {
@@ -65,7 +66,7 @@ pub fn swept_rates(
     keys: SweptKeys,
     rows: &[RateRow],
     remarks: &[String],
-    wanted: WantedUnits,
+    wanted: PreferredUnits,
 ) -> String {
     let found = || rows.iter().filter_map(|row| row.found.as_ref().ok());
     let sizes = found().map(|found| [found.largest_force, found.displacement, found.work]);

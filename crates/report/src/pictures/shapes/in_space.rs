@@ -1,9 +1,9 @@
 //! The deformed strip in space at points of its path, each in a parallel projection of its own, all to one scale.
 
-use crate::chart::axis::{Axis, significant, with_unit};
+use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::panel::{Face, Line, Mark, Note, Panel, Rim, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
@@ -14,7 +14,7 @@ use peelkit::adhesion::SectionShape;
 use peelkit::beam::SpatialSectionPlace;
 use peelkit::model::{PeelModel, Space};
 use peelkit::study::Peel;
-use peelkit::units::{FORCES, LENGTHS};
+use peelkit::units::{FORCES, LENGTHS, PreferredUnits};
 use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
@@ -72,7 +72,13 @@ pub(in crate::pictures) fn posed(peel: &Peel, numbered: &[usize]) -> Vec<Posed> 
 }
 
 /// A panel for each of the poses.
-pub(in crate::pictures) fn shapes_picture(poses: &[Posed], model: &PeelModel, space: &Space, title: &str) -> Picture {
+pub(in crate::pictures) fn shapes_picture(
+    poses: &[Posed],
+    model: &PeelModel,
+    space: &Space,
+    heading: Heading,
+) -> Picture {
+    let Heading { title, units } = heading;
     let aside: f64 = poses.iter().flat_map(|posed| posed.sections.last()).map(|grip| grip.place[2]).sum();
     let scene = Scene {
         view: View::beside(if aside < 0.0 { -1.0 } else { 1.0 }),
@@ -98,15 +104,15 @@ pub(in crate::pictures) fn shapes_picture(poses: &[Posed], model: &PeelModel, sp
         let frame = Frame { left, top, right: left + wide, bottom: top + high };
         let across = Axis::linear("", window[0] - right, window[1] + right);
         let upwards = Axis::linear("", window[2] - up, window[3] + up);
-        scene.panel(posed, Panel::new(frame, across, upwards), order_shade(k, poses.len()))
+        scene.panel(posed, Panel::new(frame, across, upwards), order_shade(k, poses.len()), units)
     };
     let panels: Vec<Panel> = poses.iter().enumerate().map(panel).collect();
     let height = panels.last().map_or(0.0, |panel| panel.frame.bottom) + MARGIN;
     let (first, others) = title.split_once('\n').map_or((title, String::new()), |(a, b)| (a, format!("\n{b}")));
     let dashed = if scene.rest.is_some() { " Dashed: the strip at rest." } else { "" };
     let about = format!(
-        "Parallel projection, all to one scale: the axes x, y and z are {} nm long.{dashed} Arrow: direction of the pull.",
-        significant(scene.arrow, 2).trim_end_matches(".0")
+        "Parallel projection, all to one scale: the axes x, y and z are {} long.{dashed} Arrow: direction of the pull.",
+        with_unit(units.fitting(LENGTHS, scene.arrow), scene.arrow, 2).replace(".0 ", " ")
     );
     Picture { title: format!("{first}\n{about}{others}"), height: height.round() as u32, panels }
 }
@@ -198,10 +204,11 @@ impl Scene {
         })
     }
 
-    fn panel(&self, posed: &Posed, mut panel: Panel, colour: RGBColor) -> Panel {
+    fn panel(&self, posed: &Posed, mut panel: Panel, colour: RGBColor, units: PreferredUnits) -> Panel {
         panel.rim = Rim::Plain;
-        let u = with_unit(LENGTHS, posed.displacement, posed.displacement.abs(), 4);
-        panel.title = format!("u = {u}, P = {}", with_unit(FORCES, posed.force, posed.force.abs(), 4));
+        let u = with_unit(units.fitting(LENGTHS, posed.displacement.abs()), posed.displacement, 4);
+        let force = with_unit(units.fitting(FORCES, posed.force.abs()), posed.force, 4);
+        panel.title = format!("u = {u}, P = {force}");
         panel.shapes.push(Shape { corners: self.on_ground(self.ground), colour: colour::PALE, opacity: 0.8 });
         if let Some([length, width]) = self.rest {
             let mut rest = self.on_ground([0.0, length, -0.5 * width, 0.5 * width]);

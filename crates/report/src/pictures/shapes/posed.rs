@@ -3,13 +3,13 @@
 use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::panel::{Line, Mark, Note, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use peelkit::adhesion::Substrate;
 use peelkit::study;
-use peelkit::units::{FORCES, LENGTHS};
+use peelkit::units::{FORCES, LENGTHS, Unit};
 use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
@@ -31,7 +31,8 @@ const HIGHEST: f64 = 560.0;
 const LOWEST: f64 = 0.4;
 
 /// The beam at all those points, the axes of equal scale.
-pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, title: &str) -> Picture {
+pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, heading: Heading) -> Picture {
+    let Heading { title, units } = heading;
     let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis)).collect();
     let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());
     let (low, high) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
@@ -53,10 +54,11 @@ pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, t
     substrate(&mut panel, ground, depth);
     let most = |of: fn(&Posed) -> f64| poses.iter().map(|posed| of(posed).abs()).fold(0.0, f64::max);
     let largest = [most(|posed| posed.displacement), most(|posed| posed.force)];
+    let written = [units.fitting(LENGTHS, largest[0]), units.fitting(FORCES, largest[1])];
     for (i, (posed, outline)) in poses.iter().zip(outlines).enumerate() {
-        strip(&mut panel, posed, outline, order_shade(i, poses.len()), largest);
+        strip(&mut panel, posed, outline, order_shade(i, poses.len()), written);
     }
-    Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }
+    Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }.in_units(units)
 }
 
 /// The rim of the beam: its axis moved by half the height along the normal of the section, to either side.
@@ -74,12 +76,12 @@ fn outline(axis: &study::DeformedShape) -> Vec<(f64, f64)> {
     rim
 }
 
-fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor, [wide, high]: [f64; 2]) {
+fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor, [length, force]: [Unit; 2]) {
     panel.shapes.push(Shape { corners: outline.clone(), colour, opacity: 0.30 });
     panel.lines.push(Line { points: outline, stroke: Stroke::solid(colour, 1.3), name: None });
     if let (Some(&x), Some(&y)) = (posed.axis.x.last(), posed.axis.y.last()) {
-        let u = with_unit(LENGTHS, posed.displacement, wide, 3);
-        let name = format!("u = {u}, P = {}", with_unit(FORCES, posed.force, high, 3));
+        let u = with_unit(length, posed.displacement, 3);
+        let name = format!("u = {u}, P = {}", with_unit(force, posed.force, 3));
         let note = Some(Note { badge: Some(posed.number), text: Vec::new() });
         panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: Some(name), note });
     }

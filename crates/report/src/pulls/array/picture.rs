@@ -1,16 +1,17 @@
 //! The pictures of the pull of an array: load against lift with its events, and how the load is shared just before the peak.
 
 use super::tables::curve;
-use crate::chart::axis::{Axis, significant};
+use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, signed_shade};
 use crate::writing::error::ReportError;
 use peelkit::analytic::winkler_number;
 use peelkit::toe::ArrayPull;
+use peelkit::units::{FORCES, PreferredUnits};
 use peelkit_scene::{ArrayTable, BandLoad};
 use std::path::{Path, PathBuf};
 
@@ -24,10 +25,16 @@ const SIDE: usize = 120;
 /// Draws `curve` and `sharing` into `dir`, as SVG and PNG.
 ///
 /// Fails where no seta lets go ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_array(dir: &Path, table: &ArrayTable, pull: &ArrayPull, title: &str) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_array<'h>(
+    dir: &Path,
+    table: &ArrayTable,
+    pull: &ArrayPull,
+    heading: impl Into<Heading<'h>>,
+) -> Result<Vec<PathBuf>, ReportError> {
     let Some(peak) = pull.peak.and_then(|peak| pull.events.get(peak)) else {
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason: "no seta lets go".to_owned() });
     };
+    let Heading { title, units } = heading.into();
     let moment = table.lamella.is_some_and(|lamella| lamella.load != BandLoad::Force);
     // µm and µN; a moment in µN µm over mrad
     let (x_of, y_of) = if moment { (1e3, 1e-6) } else { (1e-3, 1e-3) };
@@ -42,18 +49,18 @@ pub fn draw_array(dir: &Path, table: &ArrayTable, pull: &ArrayPull, title: &str)
     let end = shown(&held);
     let [held, events] = [held, events].map(|own| own.into_iter().filter(|at| at.0 <= end).collect::<Vec<_>>());
     let x = Axis::around(x_label, held.iter().chain(&events).map(|at| at.0), false);
-    let y = Axis::around(y_label, held.iter().chain(&events).map(|at| at.1).chain([0.0]), false);
+    let y = Axis::around(y_label, held.iter().chain(&events).map(|at| at.1).chain([0.0]), false).in_units(units);
     let lines = vec![
         Line::plain(events, Stroke::solid(colour::GREY, 1.0)),
         Line::plain(held, Stroke::solid(colour::BLUE, 1.6)),
     ];
     let mut panel = Panel::of_lines(below_title(), x, y, lines);
-    let value = format!("{} {}", significant(peak.load * y_of, 4), if moment { "µN µm" } else { "µN" });
+    let value = panel.y.text_of(peak.load * y_of, 4);
     panel.marks.push(Mark::labelled(scaled((peak.lift, peak.load)), colour::INK, &["peak", &value]));
     panel.title =
         format!("{} events of {} setae; blue: the lift only grows, grey: every event", pull.events.len(), pull.setae);
-    let mut files = save(&Picture::of(title, vec![panel]), dir, "curve")?;
-    let shared = if table.patch.is_some() { map(pull) } else { rows(table, pull, peak.load) };
+    let mut files = save(&Picture::of(title, vec![panel]).in_units(units), dir, "curve")?;
+    let shared = if table.patch.is_some() { map(pull, units) } else { rows(table, pull, peak.load) };
     files.extend(save(&Picture::of(title, vec![shared]), dir, "sharing")?);
     Ok(files)
 }
@@ -72,7 +79,7 @@ fn shown(held: &[(f64, f64)]) -> f64 {
 }
 
 /// Force of every seta of a patch, or of one in so many, as colour; a detached one is left out.
-fn map(pull: &ArrayPull) -> Panel {
+fn map(pull: &ArrayPull, units: PreferredUnits) -> Panel {
     let columns = pull.columns;
     let rows = pull.forces.len() / columns.max(1);
     let every = rows.max(columns).div_ceil(SIDE).max(1);
@@ -90,8 +97,8 @@ fn map(pull: &ArrayPull) -> Panel {
         }
     }
     panel.title = format!(
-        "normal force of each seta just before the peak, ±{} µN; white: none or detached",
-        significant(largest * 1e-3, 3)
+        "normal force of each seta just before the peak, ±{}; white: none or detached",
+        with_unit(units.fitting(FORCES, largest), largest, 3)
     );
     panel
 }

@@ -1,6 +1,7 @@
 //! A sweep of pulls of arrays: its rows, sweep.csv, the same as one object, and the picture.
 
 use super::summary::{array_end_reason, array_end_word};
+use crate::chart::picture::Heading;
 use crate::chart::style::colour;
 use crate::pulls::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::records::of_many::sweep::{SweepSummary, write_swept};
@@ -111,14 +112,14 @@ const MOMENT: [Quantity<ArrayResult>; 1] = largest("largest moment M (nN nm)");
 ///
 /// Fails where no pull has a load, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
 /// ([`ReportError::Write`]).
-pub fn draw_swept_arrays(
+pub fn draw_swept_arrays<'h>(
     dir: &Path,
     keys: SweptKeys,
     rows: &[SweptArray],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
     let is_moment = rows.iter().any(|row| row.found.as_ref().is_ok_and(|found| found.is_moment));
     let quantities = if is_moment { &MOMENT } else { &FORCE };
-    draw_swept_pulls(dir, keys, rows, (quantities, "has a load"), title, log)
+    draw_swept_pulls(dir, keys, rows, (quantities, "has a load"), heading.into(), log)
 }

@@ -1,4 +1,5 @@
 //! A sweep of pulls at a rate: its rows, sweep.csv, the same as one object, and the picture.
+use crate::chart::picture::Heading;
 use crate::chart::style::colour;
 use crate::pulls::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::records::of_many::sweep::{SweepSummary, write_swept};
@@ -144,12 +145,12 @@ const QUANTITIES: [Quantity<RateResult>; 2] = [
 ///
 /// Fails where no pull was followed to its end, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
 /// ([`ReportError::Write`]).
-pub fn draw_swept_rates(
+pub fn draw_swept_rates<'h>(
     dir: &Path,
     keys: SweptKeys,
     rows: &[RateRow],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "was pulled to its end"), title, log)
+    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "was pulled to its end"), heading.into(), log)
 }

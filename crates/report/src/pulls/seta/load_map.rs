@@ -43,7 +43,7 @@ pub(super) fn picture(places: &[(f64, f64)], pitch: f64, moments: &[Moment], tit
         let left = LEFT + k as f64 * (room + BETWEEN);
         let frame = Frame { left, top: TOP, right: left + room, bottom };
         let x = Axis::linear("x of the tip (µm)", low.0 - half, high.0 + half);
-        let label = if k == 0 { "z of the tip (µm)" } else { "" };
+        let label = if k == 0 { "z of the tip (µm)" } else { "(µm)" };
         let mut panel = Panel::new(frame, x, Axis::linear(label, low.1 - half, high.1 + half));
         panel.title = moment.title.clone();
         for (&place, &load) in places.iter().zip(&moment.loads) {

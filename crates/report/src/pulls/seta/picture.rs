@@ -4,15 +4,16 @@ use super::load_map::{Moment, picture as load_map};
 use super::motion::SetaPose;
 use super::side_view::{MICRO, Window, add_branches, add_tips, panel};
 use super::{curve, names};
-use crate::chart::axis::significant;
+use crate::chart::axis::with_unit;
 use crate::chart::output::save;
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::records::passed::PassedAt;
 use crate::writing::error::ReportError;
 use peelkit::model::Seta;
 use peelkit::study::{SetaPullOff, SetaState};
+use peelkit::units::FORCES;
 use std::path::{Path, PathBuf};
 
 /// Height of the picture of the seta, pixels.
@@ -22,13 +23,14 @@ const HEIGHT: u32 = 480;
 /// at the first detachment, at the peak and at the last detachment; `seta`, the seta at its peak, seen from the side.
 ///
 /// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_pull_off(
+pub fn draw_pull_off<'h>(
     dir: &Path,
     pull_off: &SetaPullOff,
     seta: &Seta,
     passed: &[PassedAt],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
 ) -> Result<Vec<PathBuf>, ReportError> {
+    let Heading { title, units } = heading.into();
     let caption = match names::seta_end_reason(&pull_off.end) {
         Some(reason) => format!("{title}\nThe pull-off stopped short: {reason}."),
         None => title.to_owned(),
@@ -37,7 +39,7 @@ pub fn draw_pull_off(
         let reason = format!("the pull-off has {} points", pull_off.points.len());
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
-    let mut files = save(&curve::picture(pull_off, passed, &caption), dir, "curve")?;
+    let mut files = save(&curve::picture(pull_off, passed, Heading { title: &caption, units }), dir, "curve")?;
     let moments: Vec<(&str, &SetaState)> = [
         ("first detachment", &pull_off.first_detachment),
         ("peak", &pull_off.peak),
@@ -47,33 +49,35 @@ pub fn draw_pull_off(
     .filter_map(|(name, state)| Some((name, state.as_ref()?)))
     .collect();
     if !moments.is_empty() {
-        files.extend(save(&maps(&moments, seta, &caption), dir, "tips")?);
+        files.extend(save(&maps(&moments, seta, Heading { title: &caption, units }), dir, "tips")?);
     }
     if let Some(state) = pull_off.peak.as_ref().or(pull_off.last.as_ref()) {
-        files.extend(save(&side_views(state, seta, &caption), dir, "seta")?);
+        files.extend(save(&side_views(state, seta, Heading { title: &caption, units }), dir, "seta")?);
     }
     Ok(files)
 }
 
 /// Maps of the load of each tip.
-fn maps(moments: &[(&str, &SetaState)], seta: &Seta, title: &str) -> Picture {
+fn maps(moments: &[(&str, &SetaState)], seta: &Seta, Heading { title, units }: Heading) -> Picture {
     let places: Vec<(f64, f64)> = (0..seta.tips())
         .map(|tip| seta.joint_place(seta.tip_joint(tip)))
         .map(|[x, _, z]| (x / MICRO, z / MICRO))
         .collect();
+    let largest = moments.iter().map(|(_, state)| state.point.force_along.abs()).fold(0.0, f64::max);
+    let unit = units.fitting(FORCES, largest);
     let moment = |(name, state): &(&str, &SetaState)| Moment {
-        title: format!("{name}: {} µN", significant(state.point.force_along / MICRO, 3)),
+        title: format!("{name}: {}", with_unit(unit, state.point.force_along, 3)),
         loads: SetaPose::of(state, seta).tip_loads,
     };
     let moments: Vec<Moment> = moments.iter().map(moment).collect();
     let title = format!(
         "{title}\nLoad of each tip on its stress-free place, at three moments of the pull: vermillion pulled, blue pushed, a cross where it is detached."
     );
-    load_map(&places, seta.tip_distance() / MICRO, &moments, &title)
+    load_map(&places, seta.tip_distance() / MICRO, &moments, &title).in_units(units)
 }
 
 /// The whole seta beside where it was stress-free, and its tips.
-fn side_views(state: &SetaState, seta: &Seta, title: &str) -> Picture {
+fn side_views(state: &SetaState, seta: &Seta, Heading { title, units }: Heading) -> Picture {
     let pose = SetaPose::of(state, seta);
     let rest = SetaState::stress_free(seta).branches(seta);
     let frame = |left: f64, right: f64| Frame { left, top: 56.0, right, bottom: f64::from(HEIGHT) - 56.0 };
@@ -87,11 +91,12 @@ fn side_views(state: &SetaState, seta: &Seta, title: &str) -> Picture {
     add_branches(&mut brush, &pose.branches, colour::CAPTION, "");
     brush.lines.iter_mut().for_each(|line| line.name = None);
     add_tips(&mut brush, &pose);
-    let force = significant(state.point.force_along / MICRO, 4);
+    let force = state.point.force_along;
+    let force = with_unit(units.fitting(FORCES, force.abs()), force, 4);
     let title = format!(
-        "{title}\nThe seta to scale, seen from the side along z, under {force} µN with {} of {} tips attached.",
+        "{title}\nThe seta to scale, seen from the side along z, under {force} with {} of {} tips attached.",
         state.point.attached,
         seta.tips()
     );
-    Picture { title, height: HEIGHT, panels: vec![whole, brush] }
+    Picture { title, height: HEIGHT, panels: vec![whole, brush] }.in_units(units)
 }

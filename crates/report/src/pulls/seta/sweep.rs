@@ -1,4 +1,5 @@
 //! A sweep of setae: its rows, sweep.csv, the same as one object, and the picture.
+use crate::chart::picture::Heading;
 use crate::chart::style::colour;
 use crate::pulls::seta::names::end_word;
 use crate::pulls::swept_pulls::{Quantity, draw_swept_pulls};
@@ -104,12 +105,12 @@ const QUANTITIES: [Quantity<SetaResult>; 3] = [
 ///
 /// Fails where no value has a peak, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
 /// ([`ReportError::Write`]).
-pub fn draw_swept_setae(
+pub fn draw_swept_setae<'h>(
     dir: &Path,
     keys: SweptKeys,
     rows: &[SetaRow],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), title, log)
+    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), heading.into(), log)
 }

@@ -2,16 +2,17 @@
 //! traction of the ground below it.
 
 use super::fields::{place, shown};
-use crate::chart::axis::{Axis, significant};
+use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel, Shape};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, signed_shade};
 use crate::writing::error::ReportError;
 use peelkit::adhesion::HalfSpace;
 use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint};
+use peelkit::units::{LENGTHS, PreferredUnits};
 use std::path::{Path, PathBuf};
 
 /// What is shown of the strip, over its height.
@@ -25,30 +26,36 @@ const BETWEEN: f64 = 40.0;
 /// Draws `curve` and `solid` into `dir`, as SVG and PNG; the latter of the strip by its ground.
 ///
 /// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
-pub fn draw_solid(dir: &Path, peel: &SolidPeel, ground: &HalfSpace, title: &str) -> Result<Vec<PathBuf>, ReportError> {
+pub fn draw_solid<'h>(
+    dir: &Path,
+    peel: &SolidPeel,
+    ground: &HalfSpace,
+    heading: impl Into<Heading<'h>>,
+) -> Result<Vec<PathBuf>, ReportError> {
     if peel.points.len() < 2 {
         let reason = format!("the path has {} points", peel.points.len());
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
-    let mut files = save(&curve(peel, title), dir, "curve")?;
-    files.extend(save(&strip(peel, ground, title), dir, "solid")?);
+    let heading = heading.into();
+    let mut files = save(&curve(peel, heading), dir, "curve")?;
+    files.extend(save(&strip(peel, ground, heading), dir, "solid")?);
     Ok(files)
 }
 
-fn curve(peel: &SolidPeel, title: &str) -> Picture {
+fn curve(peel: &SolidPeel, Heading { title, units }: Heading) -> Picture {
     let points: Vec<(f64, f64)> = peel.points.iter().map(|at| (at.displacement, at.force)).collect();
     let x = Axis::around("displacement u (nm)", points.iter().map(|at| at.0).chain([0.0]), false);
-    let y = Axis::around("force P (nN)", points.iter().map(|at| at.1).chain([0.0]), false);
+    let y = Axis::around("force P (nN)", points.iter().map(|at| at.1).chain([0.0]), false).in_units(units);
     let line = Line::plain(points, Stroke::solid(colour::BLUE, 1.6));
-    let mut panel = Panel::of_lines(Frame::across(), x, y, vec![line]);
+    let mut panel = Panel::of_lines(Frame::across(), x, y.clone(), vec![line]);
     let mark = |at: &SolidLimitPoint, what: &str| {
-        let error = at.errors.map_or(String::new(), |errors| format!(" ± {}", significant(errors.force, 2)));
-        let text = format!("{} nN{error}", significant(at.force, 4));
+        let error = at.errors.map_or(String::new(), |errors| format!(" ± {}", y.text_of(errors.force, 2)));
+        let text = format!("{}{error}", y.text_of(at.force, 4));
         Mark::labelled((at.displacement, at.force), colour::INK, &[what, &text])
     };
     panel.marks.extend(peel.peak().map(|at| mark(at, "peak")));
     panel.marks.extend(peel.snap_off().map(|at| mark(at, "first jump")));
-    Picture::of(title, vec![panel])
+    Picture::of(title, vec![panel]).in_units(units)
 }
 
 /// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
@@ -63,7 +70,7 @@ fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
     chosen
 }
 
-fn strip(peel: &SolidPeel, ground: &HalfSpace, title: &str) -> Picture {
+fn strip(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading) -> Picture {
     let [places, heights] = shown(peel);
     let [length, height] = [&places, &heights].map(|lines| lines.last().copied().unwrap_or(1.0));
     let chosen = chosen(peel, length);
@@ -73,9 +80,9 @@ fn strip(peel: &SolidPeel, ground: &HalfSpace, title: &str) -> Picture {
         let frame =
             Frame { top: of_column.top + 18.0, bottom: of_column.top + 18.0 + ASPECT * of_column.width(), ..of_column };
         let below = Frame { top: frame.bottom + BETWEEN, bottom: frame.bottom + BETWEEN + TRACTION, ..of_column };
-        panels.extend(state(peel, ground, (what, at), [&places, &heights], [frame, below], WINDOW * height));
+        panels.extend(state(peel, ground, (what, at), [&places, &heights], [frame, below], (WINDOW * height, units)));
     }
-    Picture::of(title, panels)
+    Picture::of(title, panels).in_units(units)
 }
 
 /// The strip at one point, in a window of this width, and the traction below it.
@@ -85,7 +92,7 @@ fn state(
     (what, at): (&str, &SolidPoint),
     [places, heights]: [&[f64]; 2],
     [frame, below]: [Frame; 2],
-    width: f64,
+    (width, units): (f64, PreferredUnits),
 ) -> [Panel; 2] {
     let gap = ground.equilibrium_gap();
     let of = |s: f64, height: f64| place(peel, at, gap, [s, height]).into();
@@ -95,7 +102,8 @@ fn state(
     let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
     let right = face.last().map_or(width, |last| last.0);
     let from = (strongest - 0.5 * width).min(right - 0.9 * width);
-    let [x, y] = [Axis::linear("", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
+    let [x, y] =
+        [Axis::linear("(nm)", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
     let mut shapes = Vec::new();
     let mut largest: f64 = 0.0;
     for pair in places.windows(2) {
@@ -115,7 +123,8 @@ fn state(
     });
     let mut body = Panel::new(frame, x, y);
     body.shapes = shapes.collect();
-    body.title = format!("{what}: u = {} nm; σyy ±{} GPa", significant(at.displacement, 3), significant(largest, 2));
+    let u = with_unit(units.fitting(LENGTHS, at.displacement.abs()), at.displacement, 3);
+    body.title = format!("{what}: u = {u}; σyy ±{} GPa", significant(largest, 2));
     let (across, along) = peel.strip.mesh_lines();
     let thin = || Stroke::solid(colour::GREY, 0.5);
     let lines_across = across.iter().map(|&s| heights.iter().map(|&height| of(s, height)).collect());

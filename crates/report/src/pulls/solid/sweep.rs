@@ -1,6 +1,7 @@
 //! A sweep of peels of solids: its rows, sweep.csv, the same as one object, and the picture.
 
 use super::summary::{solid_end_reason, solid_end_word};
+use crate::chart::picture::Heading;
 use crate::chart::style::colour;
 use crate::pulls::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::records::of_many::sweep::{SweepSummary, write_swept};
@@ -116,12 +117,12 @@ const QUANTITIES: [Quantity<SolidResult>; 1] = [Quantity {
 ///
 /// Fails where no path has a peak, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
 /// ([`ReportError::Write`]).
-pub fn draw_swept_solids(
+pub fn draw_swept_solids<'h>(
     dir: &Path,
     keys: SweptKeys,
     rows: &[SolidRow],
-    title: &str,
+    heading: impl Into<Heading<'h>>,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak"), title, log)
+    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak"), heading.into(), log)
 }
