@@ -238,17 +238,17 @@ impl PlanarBeam {
         self.beyond(at, far) > 0.0
     }
 
-    /// How much farther than `far` the beam is from the substrate where it is nearest, nm. Where its adhesive holds it along the ground that is its
-    /// bonded face, and one that has slipped beyond its reach, by a share of that, is by the same share of `far` beyond it.
+    /// How much farther than `far` the beam is from the substrate where it is nearest, nm. A face that its adhesive holds along the ground and that
+    /// has slipped beyond its reach, by a share of that, is by the same share of `far` beyond it.
     pub fn beyond(&self, at: &State, far: f64) -> f64 {
         let Some(reach) = self.slip_reach else { return self.nearest(at) - far };
         let places = self.places(&at.mesh.boundaries);
-        let each = self.nodes(&at.values).chunks_exact(self.fields()).zip(places).map(|(node, place)| {
-            let (half, (sin, cos)) = (0.5 * self.height_at(place), node[self.rotation].sin_cos());
-            let (distance, slip) = (node[self.rotation - 1] + half * (1.0 - cos), (node[0] + half * sin - place).abs());
-            (distance - far).max(far * (slip / reach - 1.0))
-        });
-        each.fold(f64::INFINITY, f64::min)
+        let nodes = self.nodes(&at.values).chunks_exact(self.fields()).zip(places);
+        let slips =
+            nodes.map(|(node, place)| node[0] + 0.5 * self.height_at(place) * node[self.rotation].sin() - place);
+        let each = self.distances(at).zip(slips);
+        each.map(|(distance, slip)| (distance - far).max(far * (slip.abs() / reach - 1.0)))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of each node from the substrate, nm.
