@@ -191,7 +191,8 @@ fn a_pull_to_the_other_side_is_the_mirror_image() {
 /// A number of the table of collocation, with its error.
 fn reference(case: &str, quantity: &str) -> (f64, f64) {
     let key = format!("{case},{quantity},");
-    let table = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/verification/space_peels.csv")).unwrap();
+    let table =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../verification/space_peels.csv")).unwrap();
     let row = table.lines().filter_map(|line| line.strip_prefix(&key)).next().expect("the table has the case");
     let (value, error) = row.split_once(',').unwrap();
     (value.parse().unwrap(), error.parse().unwrap())

@@ -15,7 +15,7 @@ pub const COLUMNS: usize = 360;
 
 /// verification/toe.csv, by case and quantity.
 pub fn table() -> HashMap<(String, String), f64> {
-    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/verification/toe.csv")).unwrap();
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../../verification/toe.csv")).unwrap();
     let rows = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     rows.map(|line| {
         let cells: Vec<&str> = line.split(',').collect();
