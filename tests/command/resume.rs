@@ -165,7 +165,7 @@ pub const ROWS: [Row; 12] = [
             "--set",
             "uncertainty.quantities=[\"initiation_peak.force_nN\"]",
             "--set",
-            "uncertainty.samples=120",
+            "uncertainty.samples=240",
             "--set",
             "accuracy.relative=1e-3",
         ],

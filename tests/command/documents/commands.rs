@@ -74,7 +74,9 @@ fn failure(mut words: Vec<String>, folder: &Path) -> Option<String> {
         let mut set = |text: &str| words.extend(["--set", text].map(str::to_owned));
         // a seta is small with few forks and a coarse table of its tips
         if scene.contains("[seta]") {
-            if !["seta.forks", "seta.branches", "seta.tree"].iter().any(|key| given.contains(key)) {
+            if scene.contains("\nforks")
+                && !["seta.forks", "seta.branches", "seta.tree"].iter().any(|key| given.contains(key))
+            {
                 set("seta.forks=2");
             }
             if given.contains("seta.tip_law=table") {

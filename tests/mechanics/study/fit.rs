@@ -7,6 +7,7 @@
 //!          d          d*       U + d
 //!
 //! Reference: the parameters with which the curves were computed. Of 100 intervals at 95 % about 95 hold them: with the probability 0.997 at least 89.
+//! 30 are computed; `PEELKIT_REPETITIONS=100` computes as many as the documents name.
 //! A plateau is w, the work of adhesion, 15^(1/3) A_H/(16π r0²): a curve without its first peak determines A_H r0⁻² and neither of the two.
 //! Parameters: the paper's strip of 100 nm, errors of 1 % of its first peak, seeds that are fixed.
 //! Expected: intervals hold what they say; Huber's loss withstands points that are wrong; a profile is a parabola where the data are good.
@@ -137,6 +138,11 @@ fn holds(fit: &Fit, index: usize, truth: f64) -> bool {
     low <= truth && truth <= high
 }
 
+/// How many curves are made noisy and fitted: 30, or as many as `PEELKIT_REPETITIONS` says.
+fn repetitions() -> u64 {
+    std::env::var("PEELKIT_REPETITIONS").map_or(30, |number| number.parse().unwrap())
+}
+
 /// How many of so many repetitions have each true value in its interval.
 fn counted(truth: Truth, names: &'static [(&'static str, f64)], exact: &[(f64, f64)], repetitions: u64) -> Vec<usize> {
     let problem = problem(truth, names);
@@ -153,9 +159,10 @@ fn counted(truth: Truth, names: &'static [(&'static str, f64)], exact: &[(f64, f
 
 #[test]
 fn intervals_hold_what_is_known_in_95_of_100_repetitions() {
-    let held = counted(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)], &exact(TRUTH, 0.0), 100);
-    println!("{held:?} of 100");
-    assert!(held.iter().all(|&count| count >= 89), "{held:?} of 100");
+    let repetitions = repetitions();
+    let held = counted(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)], &exact(TRUTH, 0.0), repetitions);
+    println!("{held:?} of {repetitions}");
+    assert!(held.iter().all(|&count| 100 * count as u64 >= 89 * repetitions), "{held:?} of {repetitions}");
 }
 
 /// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.02 nm and 0.004 nN that nobody has given: both are estimated. That of the displacements rests
@@ -174,11 +181,12 @@ fn intervals_where_both_errors_are_estimated_are_somewhat_too_narrow() {
         let errors = [fit.estimated_error.unwrap(), fit.estimated_displacement_error.unwrap()];
         ([holds(&fit, 0, 0.12), holds(&fit, 1, 3.0)], errors)
     };
-    let all: Vec<_> = (1..=100).into_par_iter().map(one).collect();
+    let repetitions = repetitions();
+    let all: Vec<_> = (1..=repetitions).into_par_iter().map(one).collect();
     let held = [0, 1].map(|k| all.iter().filter(|one| one.0[k]).count());
-    let mean = [0, 1].map(|k| all.iter().map(|one| one.1[k]).sum::<f64>() / 100.0);
-    println!("{held:?} of 100, errors {mean:?}");
-    assert!(held.iter().all(|&count| count >= 83), "{held:?} of 100");
+    let mean = [0, 1].map(|k| all.iter().map(|one| one.1[k]).sum::<f64>() / repetitions as f64);
+    println!("{held:?} of {repetitions}, errors {mean:?}");
+    assert!(held.iter().all(|&count| 100 * count as u64 >= 83 * repetitions), "{held:?} of {repetitions}");
     assert!((mean[0] / 0.004 - 1.0).abs() < 0.15 && (mean[1] / 0.02 - 1.0).abs() < 0.25, "{mean:?}");
 }
 
