@@ -1,12 +1,13 @@
-//! The law of a seta: `peel coarsen` of a scene with a seta makes it, `setae.law` reads it.
+//! The law of a seta: `peel coarsen` of a scene with a seta makes it, `setae.law` reads it, and `setae.seta` says of which seta it is.
 //!
 //!      v |    / u·d = c: behind it the seta is detached
 //!        |  /
 //!        |/____ u
 //!
 //! Reference: a spring of the numbers of scenes/patch.toml, written as a law of degree 2: arrays have to be those of the numbers, to rounding. A seta
-//! with two tips that slide lets go where u_n has one value, at any angle. Expected: the files agree with one another; a law that does not fit
-//! is refused with what would.
+//! with two tips that slide lets go where u_n has one value, at any angle. What a sweep makes of a missing folder is what `peel coarsen` makes of
+//! the same seta. Expected: the files agree with one another; a law is made once, and the terminal says so before; a law that does not fit, one of
+//! another seta among them, is refused with what would.
 
 use crate::peel::{is_refused, run, scene};
 use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
@@ -93,7 +94,7 @@ fn arrays_by_a_law_are_those_by_its_numbers() {
 #[test]
 fn the_law_of_a_small_seta() {
     let dir = tempfile::tempdir().unwrap();
-    let small = ["--set", "seta.forks=1", "--set", "accuracy.relative=1e-4"];
+    let small = ["--set", "seta.forks=1", "--set", "accuracy.relative=1e-3"];
     let path = scene("seta");
     let coarsen = [&["coarsen", &path][..], &small].concat();
     let (status, text, trouble) = run(dir.path(), &[&coarsen, &["--degree", "4", "--out", "law"][..]].concat());
@@ -127,4 +128,100 @@ fn the_law_of_a_small_seta() {
     refused(&["--press", "1 nm"], "--press is of no use");
     refused(&["--set", "seta.tip_law=table"], "tips that follow the curve");
     is_refused(dir.path(), &["coarsen", &scene("spatula"), "--degree", "2"], &["--degree is of no use"]);
+}
+
+/// A folder with the scenes of a seta of two tips, and of a patch that takes its law of the folder `law`.
+fn with_a_seta() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    let seta = fs::read_to_string(scene("seta")).unwrap().replace("forks = 8 ", "forks = 1 ");
+    fs::write(dir.path().join("seta.toml"), seta.replace("# relative = 1e-6", "relative = 1e-3")).unwrap();
+    let array = "[setae]\nrows = 3\ncolumns = 2\nlaw = \"law\"\nseta = \"seta.toml\"\n[patch]\n";
+    fs::write(dir.path().join("patch.toml"), array).unwrap();
+    dir
+}
+
+#[test]
+fn a_missing_law_is_made_once() {
+    let dir = with_a_seta();
+    let at = |name: &str| dir.path().join(name);
+    let varied = ["sweep", "patch.toml", "--vary", "setae.strength_scatter", "--values", "0.1,0.2", "--json"];
+    let (status, text, trouble) = run(dir.path(), &varied);
+    assert_eq!(status, Some(0), "{trouble}");
+    let said = "note: the law of the setae is made in law, of degree 4: 7 pulls of";
+    assert_eq!(trouble.matches(said).count(), 1, "{trouble}");
+    let swept: Value = serde_json::from_str(&text).unwrap();
+    // it is that of peel coarsen
+    let coarsen = ["coarsen", "seta.toml", "--degree", "4", "--out", "coarsened"];
+    assert_eq!(run(dir.path(), &coarsen).0, Some(0));
+    for name in [SETA_LAW, "seta_paths.csv"] {
+        let of = |folder: &str| fs::read_to_string(at(folder).join(name)).unwrap();
+        assert_eq!(of("law"), of("coarsened"), "{name}");
+    }
+    // and is read from now on, of whichever folder
+    for folder in ["law", "coarsened"] {
+        let law = format!("setae.law={folder}");
+        let set = ["run", "patch.toml", "--set", "setae.strength_scatter=0.1", "--set", &law, "--json"];
+        let (status, text, trouble) = run(dir.path(), &set);
+        assert_eq!((status, trouble.as_str()), (Some(0), ""));
+        let found: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(found["peak"]["load"], swept["rows"][0]["peak_load"], "{swept}");
+    }
+    // what is written needs neither folder nor scene
+    let out = ["run", "patch.toml", "--out", "out"];
+    assert_eq!(run(dir.path(), &out).0, Some(0));
+    let alone = tempfile::tempdir().unwrap();
+    fs::copy(at("out/parameters.toml"), alone.path().join("alone.toml")).unwrap();
+    let before: Value = serde_json::from_slice(&fs::read(at("out/summary.json")).unwrap()).unwrap();
+    assert_eq!(json(alone.path(), &["run", "alone.toml"])["peak"], before["peak"]);
+    // of another seta it is refused with what differs
+    let seta = fs::read_to_string(at("seta.toml")).unwrap().replace("forks = 1 ", "forks = 2 ");
+    fs::write(at("seta.toml"), seta.replace("\"70 um\"", "\"71 um\"")).unwrap();
+    let other = "`setae.law` is the law of another seta: seta.forks is 1.0 there, and 2.0 in the scene that `seta` names; seta.shaft_length (nm) differ as well";
+    is_refused(dir.path(), &["run", "patch.toml"], &[other, "Name another folder"]);
+}
+
+#[test]
+fn a_missing_law_that_cannot_be_made() {
+    let dir = with_a_seta();
+    let refused = |set: &[&str], words: &[&str]| {
+        let sets: Vec<&str> = set.iter().flat_map(|set| ["--set", set]).collect();
+        is_refused(dir.path(), &[&["run", "patch.toml"][..], &sets].concat(), words);
+        assert!(!dir.path().join("law").exists());
+    };
+    refused(&["setae.seta=none.toml"], &["`setae.seta` names none.toml, which cannot be read"]);
+    refused(&["setae.seta=patch.toml"], &["names patch.toml, which is not the scene of a seta"]);
+    refused(&["setae.seta="], &["`setae.seta` is empty"]);
+    let write = |name: &str, text: &str| fs::write(dir.path().join(name), text).unwrap();
+    let seta = fs::read_to_string(dir.path().join("seta.toml")).unwrap();
+    write("bad.toml", &seta.replace("forks = 1 ", "forks = -1 "));
+    refused(&["setae.seta=bad.toml"], &["names bad.toml, and there bad.toml, line 7: `seta.forks` is -1"]);
+    write("table.toml", &seta.replace("forks = 1 ", "tip_law = \"table\"\nforks = 1 "));
+    refused(&["setae.seta=table.toml"], &["made of tips that follow the curve", "Give seta.tip_law = \"curve\"."]);
+    let patch = fs::read_to_string(dir.path().join("patch.toml")).unwrap();
+    write("patch.toml", &patch.replace("law = \"law\"\n", ""));
+    refused(&[], &["`setae.seta` is given, and setae follow numbers"]);
+    write("patch.toml", &patch.replace("seta = \"seta.toml\"\n", ""));
+    refused(
+        &[],
+        &[
+            "`setae.law` names law/seta_law.toml, which cannot be read",
+            "peel coarsen SETA.toml",
+            "seta = \"SETA.toml\"",
+        ],
+    );
+    // a folder of something else is left alone
+    write("patch.toml", &patch);
+    fs::create_dir(dir.path().join("full")).unwrap();
+    write("full/notes.txt", "mine");
+    let full = ["run", "patch.toml", "--set", "setae.law=full"];
+    let (status, _, trouble) = run(dir.path(), &full);
+    assert!(
+        status != Some(0) && trouble.contains("full exists, is not empty and is not changed"),
+        "{status:?} {trouble}"
+    );
+    // a bound of the seta stops it, and nothing is left
+    write("seta.toml", &seta.replace("# time = \"60 s\"", "time = \"1 us\""));
+    let (status, text, trouble) = run(dir.path(), &["run", "patch.toml"]);
+    assert!(status == Some(3) && text.is_empty() && trouble.contains("nothing is written"), "{status:?} {trouble}");
+    assert!(!dir.path().join("law").exists());
 }

@@ -8,6 +8,7 @@ mod varied;
 use args::Sweep;
 
 use crate::studies::drive::Drive;
+use crate::studies::ready::ready;
 use crate::terminal::progress::Bar;
 use crate::terminal::stop::Stop;
 use crate::text_summary;
@@ -17,7 +18,7 @@ use peelkit_report::SweptKeys;
 use peelkit_scene::{Key, Scene};
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
-    let scene = args.scene.load_any()?;
+    let scene = ready(|| args.scene.load_any())?;
     let refused = |why| Stop::refused(&scene, why);
     Analysis::allows(&scene, args.followed().is_some(), args.part.is_some()).map_err(refused)?;
     let wanted = args.units.wanted()?;
