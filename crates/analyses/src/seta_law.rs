@@ -3,8 +3,9 @@
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::pulls::seta::{Setae, options};
 use crate::session::{Progress, Session};
+use peelkit::solve::SolveError;
 use peelkit::study::coarsening::{RootPath, SetaLaw, SetaLawError};
-use peelkit::study::{SetaLoading, StopCriteria};
+use peelkit::study::{SetaFailure, SetaLoading, StopCriteria};
 use peelkit_report::{self as report, ReportError, SetaLawFound, SetaLawSummary, timed};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
 use rayon::prelude::*;
@@ -55,6 +56,10 @@ impl<'s> SetaLawCoarsening<'s> {
         let loading = SetaLoading::pull([angle.cos(), angle.sin(), 0.0], FAR);
         RootPath::resolved(&model, &loading, &options(self.scene), stop).map_err(|why| match why {
             SetaLawError::Stopped(_) => Refusal::CutShort(format!("{why}; nothing is written")),
+            SetaLawError::Failed(failure) if is_stopped(&failure) => Refusal::CutShort(
+                "a pull of the root is stopped by its bounds before a tip lets go: allow more; nothing is written"
+                    .to_owned(),
+            ),
             why => {
                 let degrees = angle.to_degrees();
                 Refusal::scene(
@@ -64,6 +69,13 @@ impl<'s> SetaLawCoarsening<'s> {
             }
         })
     }
+}
+
+/// Whether what a path failed of is that it was stopped.
+fn is_stopped(failure: &SetaFailure) -> bool {
+    use SetaFailure::{Lost, NoStart, Restless};
+    let (NoStart { cause } | Lost { cause, .. } | Restless { cause, .. }) = failure else { return false };
+    matches!(cause, SolveError::Stopped)
 }
 
 /// The law of a seta.

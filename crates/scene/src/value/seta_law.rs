@@ -130,7 +130,7 @@ pub(crate) fn other_seta(law: &[String], wanted: &[String]) -> Option<String> {
     let removed = law.iter().filter(|line| wanted.iter().all(|other| split(other).0 != split(line).0));
     let keys: Vec<&str> = differing.chain(removed).map(|line| split(line).0).collect();
     let (first, rest) = keys.split_first()?;
-    let more = if rest.is_empty() { String::new() } else { format!("; {} differ as well", rest.join(", ")) };
+    let more = if rest.is_empty() { String::new() } else { format!("; different too: {}", rest.join(", ")) };
     let (there, here) = (value(law, first), value(wanted, first));
     Some(format!("{first} is {there} there, and {here} in the scene that `seta` names{more}"))
 }

@@ -41,6 +41,7 @@ no part.
   seta_law.toml       coefficients, exit plane, errors, the seta, and a check sum
   seta_paths.csv      one row for each equilibrium: force of the resolved seta, and by the law
 
-Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2.
+Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2. With setae.seta, the scene of the
+seta, a missing folder is made by whatever command computes the array, and the law of another seta is refused.
 
 Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";
