@@ -111,6 +111,9 @@ fn the_law_of_a_small_seta() {
     let off = |row: Vec<f64>| (row[3] - row[6]).hypot(row[4] - row[7]);
     let largest = rows.deserialize().map(|row| off(row.unwrap())).fold(0.0, f64::max);
     assert!((largest / law.largest_force / number("/errors/force") - 1.0).abs() < 1e-9);
+    // the picture has its pulls and its degree
+    let picture = fs::read_to_string(folder.join("seta_law.svg")).unwrap();
+    assert!(picture.contains("at 15 deg") && picture.contains("at 105 deg") && picture.contains("law of degree 4"));
     // a patch takes it, a band does not
     let law = format!("law = \"{}\"", folder.display());
     for name in ["patch", "lamella"] {
