@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 const PIECES: usize = 60;
 /// Most equilibria of a pull that are shown.
 const DOTS: f64 = 12.0;
-/// What an axis shows at least on both sides of zero, over the largest force.
+/// What is nothing, over the largest force: an axis then shows so much on both sides of zero.
 const SMALL: f64 = 0.05;
 
 /// Draws `seta_law.svg` and `seta_law.png` into `dir`: the force off the ground and along it, of the law and of the resolved seta.
@@ -59,7 +59,8 @@ fn panel(found: &SetaLawFound, index: usize, component: usize, label: &str) -> P
     let x = Axis::around("displacement of the root (nm)", all().map(|at| at.0), false);
     // a force that is nothing beside the other one looks like nothing
     let small = SMALL * law.largest_force;
-    let y = Axis::around(label, all().map(|at| at.1).chain([-small, small]), false);
+    let beside = [-small, small].into_iter().filter(|_| all().all(|at| at.1.abs() < small));
+    let y = Axis::around(label, all().map(|at| at.1).chain(beside), false);
     Panel { lines, marks, ..Panel::new(Frame::column(index, 2), x, y) }
 }
 
