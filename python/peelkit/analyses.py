@@ -130,7 +130,7 @@ def optimise(scene: Scene) -> Optimum:
     ComputationError
         Where no design could be computed.
     """
-    found = _native.optimise(scene._native)
+    found = _native.optimise(scene._native.with_law())
     best = None if found.scene is None else Scene.from_toml(found.scene, scene.name)
     return Optimum(found, Optimum._read(found), best)
 
@@ -235,7 +235,7 @@ def uncertainty(scene: Scene) -> Uncertainty:
     SceneError
         Where the scene does not say what is uncertain.
     """
-    native = _native.uncertainty(scene._native)
+    native = _native.uncertainty(scene._native.with_law())
     if native.short is not None:
         samples = native.short.splitlines()[0]
         warnings.warn(f"{samples} stopped short; `summary()` says why", ComputationWarning, stacklevel=2)

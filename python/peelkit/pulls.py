@@ -158,7 +158,7 @@ class ArrayPull(_Pull):
 
     @classmethod
     def _of_array(cls, scene: _native.Scene) -> ArrayPull:
-        native, events, rows = _native.pull_array(scene)
+        native, events, rows = _native.pull_array(scene.with_law())
         curve = of_columns(ArrayCurve, native.columns())
         return cls(native, cls._read(native), curve, of_columns(ArrayEvents, events), of_columns(ArrayRows, rows))
 

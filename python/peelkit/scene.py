@@ -134,6 +134,10 @@ class Scene:
         values = key if isinstance(key, Mapping) else {key: value}
         return self._of(self._native.with_values([(name, value_text(name, item)) for name, item in values.items()]))
 
+    def _with_law(self) -> Scene:
+        """The same; the law of its setae is made where it names a folder without one."""
+        return self._of(self._native.with_law())
+
     @property
     def name(self) -> str:
         """Where it was read from: the path of a file, or ``"scene"``."""
@@ -178,7 +182,8 @@ class Scene:
 
         Of a beam that is the whole path of equilibria, with its limit points and their error bounds. Of a scene with a table
         ``seta`` it is :meth:`pull_off`, with ``time`` :meth:`pull_at_rate`, with ``solid`` :meth:`peel_solid`, with ``setae``
-        :meth:`pull_array`: call these where types are checked. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
+        :meth:`pull_array`: call these where types are checked. A law of the setae that is missing in the folder ``setae.law`` is
+        made there first, of the scene ``setae.seta``. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
 
         Returns
         -------

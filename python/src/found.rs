@@ -40,8 +40,13 @@ where
     A::Found: Send,
 {
     let analysis = of(&source.scene).map_err(|why| refusal(py, why))?;
+    made(py, |session| analysis.run(session))
+}
+
+/// What is computed without the interpreter, which Ctrl-C stops.
+pub fn made<T: Send>(py: Python, compute: impl FnOnce(&Session) -> Result<T, Refusal> + Send) -> PyResult<T> {
     let watch = Watch::begin();
-    let run = || analysis.run(&Session { watcher: &watch, keeping: None, abrupt: true });
+    let run = || compute(&Session { watcher: &watch, keeping: None, abrupt: true });
     let found = py.detach(|| watch.over(run));
     watch.end()?;
     let found =

@@ -1,9 +1,11 @@
 //! A scene: its text, the keys that replace those of the text, and what they make together.
 
-use crate::errors::scene_error;
+use crate::errors::{refusal, scene_error};
+use crate::found::made;
 use crate::interrupt::Watch;
 use crate::peel::NativePeel;
 use peelkit::study::{self, Checkpoint, StopCriteria};
+use peelkit_analyses::MissingLaw;
 use peelkit_report::timed;
 use peelkit_scene::{Described, KEYS, Key, Scene, Value, find_key};
 use pyo3::prelude::*;
@@ -100,6 +102,16 @@ impl NativeScene {
     #[getter]
     fn title(&self) -> &str {
         &self.source.scene.title
+    }
+
+    /// The scene with the law of its setae, which is made where it names a folder without one and the scene of the seta.
+    fn with_law(&self, py: Python) -> PyResult<Self> {
+        let Source { scene, text, overrides } = &*self.source;
+        let Some(missing) = MissingLaw::of(scene).map_err(|why| refusal(py, why))? else {
+            return Ok(Self { source: Arc::clone(&self.source) });
+        };
+        made(py, |session| missing.make(session, "peelkit"))?;
+        Source::read(py, &scene.name, text.clone(), overrides.clone())
     }
 
     /// Every key with its value, as a text that makes the same scene.

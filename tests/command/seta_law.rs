@@ -1,12 +1,13 @@
-//! The law of a seta: `peel coarsen` of a scene with a seta makes it, `setae.law` reads it.
+//! The law of a seta: `peel coarsen` of a scene with a seta makes it, `setae.law` reads it, and `setae.seta` says of which seta it is.
 //!
 //!      v |    / u·d = c: behind it the seta is detached
 //!        |  /
 //!        |/____ u
 //!
 //! Reference: a spring of the numbers of scenes/patch.toml, written as a law of degree 2: arrays have to be those of the numbers, to rounding. A seta
-//! with two tips that slide lets go where u_n has one value, at any angle. Expected: the files agree with one another; a law that does not fit
-//! is refused with what would.
+//! with two tips that slide lets go where u_n has one value, at any angle. What a sweep makes of a missing folder is what `peel coarsen` makes of
+//! the same seta. Expected: the files agree with one another; a law is made once, and the terminal says so before; a law that does not fit, one of
+//! another seta among them, is refused with what would.
 
 use crate::peel::{is_refused, run, scene};
 use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
@@ -92,11 +93,9 @@ fn arrays_by_a_law_are_those_by_its_numbers() {
 
 #[test]
 fn the_law_of_a_small_seta() {
-    let dir = tempfile::tempdir().unwrap();
-    let small = ["--set", "seta.forks=1", "--set", "accuracy.relative=1e-4"];
-    let path = scene("seta");
-    let coarsen = [&["coarsen", &path][..], &small].concat();
-    let (status, text, trouble) = run(dir.path(), &[&coarsen, &["--degree", "4", "--out", "law"][..]].concat());
+    let dir = with_a_seta();
+    let coarsen = ["coarsen", "seta.toml", "--degree", "4", "--out", "law"];
+    let (status, text, trouble) = run(dir.path(), &coarsen);
     assert_eq!(status, Some(0), "{trouble}");
     assert!(text.contains("law of a seta") && text.contains("along 90.000 deg"), "{text}");
     let folder = dir.path().join("law");
@@ -112,14 +111,17 @@ fn the_law_of_a_small_seta() {
     let off = |row: Vec<f64>| (row[3] - row[6]).hypot(row[4] - row[7]);
     let largest = rows.deserialize().map(|row| off(row.unwrap())).fold(0.0, f64::max);
     assert!((largest / law.largest_force / number("/errors/force") - 1.0).abs() < 1e-9);
+    // the picture has its pulls and its degree
+    let picture = fs::read_to_string(folder.join("seta_law.svg")).unwrap();
+    assert!(picture.contains("at 15 deg") && picture.contains("at 105 deg") && picture.contains("law of degree 4"));
     // a patch takes it, a band does not
     let law = format!("law = \"{}\"", folder.display());
     for name in ["patch", "lamella"] {
         let text = by_law(name).replace("law = \"law\"", &law).replace("= 60", "= 6").replace("= 360", "= 4");
-        fs::write(dir.path().join(format!("{name}.toml")), text.replace("\"1 um\"", "\"10 nm\"")).unwrap();
+        fs::write(dir.path().join(format!("{name}-of-law.toml")), text.replace("\"1 um\"", "\"10 nm\"")).unwrap();
     }
-    assert_eq!(json(dir.path(), &["run", "patch.toml"])["detached"], 36);
-    is_refused(dir.path(), &["run", "lamella.toml"], &["a band takes a potential of degree 2"]);
+    assert_eq!(json(dir.path(), &["run", "patch-of-law.toml"])["detached"], 36);
+    is_refused(dir.path(), &["run", "lamella-of-law.toml"], &["a band takes a potential of degree 2"]);
     let refused = |arguments: &[&str], words: &str| {
         is_refused(dir.path(), &[&["coarsen", &scene("seta")][..], arguments].concat(), &[words]);
     };
@@ -127,4 +129,92 @@ fn the_law_of_a_small_seta() {
     refused(&["--press", "1 nm"], "--press is of no use");
     refused(&["--set", "seta.tip_law=table"], "tips that follow the curve");
     is_refused(dir.path(), &["coarsen", &scene("spatula"), "--degree", "2"], &["--degree is of no use"]);
+    a_missing_law_is_made_once(dir.path());
+}
+
+/// A folder with the scenes of a seta of two tips, and of a patch that takes its law of the folder `law`.
+fn with_a_seta() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    let seta = fs::read_to_string(scene("seta")).unwrap().replace("forks = 8 ", "forks = 1 ");
+    fs::write(dir.path().join("seta.toml"), seta.replace("# relative = 1e-6", "relative = 1e-3")).unwrap();
+    let array = "[setae]\nrows = 3\ncolumns = 2\nlaw = \"law\"\nseta = \"seta.toml\"\n[patch]\n";
+    fs::write(dir.path().join("patch.toml"), array).unwrap();
+    dir
+}
+
+/// In a folder that has the law of its seta in `law`: another one is missing, and a sweep makes it.
+fn a_missing_law_is_made_once(dir: &Path) {
+    let varied = ["sweep", "patch.toml", "--vary", "setae.strength_scatter", "--values", "0.1,0.2", "--json"];
+    let (status, text, trouble) = run(dir, &[&varied[..], &["--set", "setae.law=made"]].concat());
+    assert_eq!(status, Some(0), "{trouble}");
+    let said = "note: the law of the setae is made in made, of degree 4: 7 pulls of";
+    assert_eq!(trouble.matches(said).count(), 1, "{trouble}");
+    let swept: Value = serde_json::from_str(&text).unwrap();
+    // it is that of peel coarsen
+    for name in [SETA_LAW, "seta_paths.csv"] {
+        let of = |folder: &str| fs::read_to_string(dir.join(folder).join(name)).unwrap();
+        assert_eq!(of("law"), of("made"), "{name}");
+    }
+    // and either is read from now on
+    for folder in ["law", "made"] {
+        let law = format!("setae.law={folder}");
+        let set = ["run", "patch.toml", "--set", "setae.strength_scatter=0.1", "--set", &law, "--json"];
+        let (status, text, trouble) = run(dir, &set);
+        assert_eq!((status, trouble.as_str()), (Some(0), ""));
+        let found: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(found["peak"]["load"], swept["rows"][0]["peak_load"], "{swept}");
+    }
+    // what is written needs neither folder nor scene
+    let out = ["run", "patch.toml", "--out", "out"];
+    assert_eq!(run(dir, &out).0, Some(0));
+    let alone = tempfile::tempdir().unwrap();
+    fs::copy(dir.join("out/parameters.toml"), alone.path().join("alone.toml")).unwrap();
+    let before: Value = serde_json::from_slice(&fs::read(dir.join("out/summary.json")).unwrap()).unwrap();
+    assert_eq!(json(alone.path(), &["run", "alone.toml"])["peak"], before["peak"]);
+    // of another seta it is refused with what differs
+    let seta = fs::read_to_string(dir.join("seta.toml")).unwrap().replace("forks = 1 ", "forks = 2 ");
+    fs::write(dir.join("seta.toml"), seta.replace("\"70 um\"", "\"71 um\"")).unwrap();
+    let other = "`setae.law` is the law of another seta: seta.forks is 1.0 there, and 2.0 in the scene that `seta` names; different too: seta.shaft_length (nm)";
+    is_refused(dir, &["run", "patch.toml"], &[other, "Name another folder"]);
+}
+
+#[test]
+fn a_missing_law_that_cannot_be_made() {
+    let dir = with_a_seta();
+    let refused = |set: &[&str], words: &[&str]| {
+        let sets: Vec<&str> = set.iter().flat_map(|set| ["--set", set]).collect();
+        is_refused(dir.path(), &[&["run", "patch.toml"][..], &sets].concat(), words);
+        assert!(!dir.path().join("law").exists());
+    };
+    refused(&["setae.seta=none.toml"], &["`setae.seta` names none.toml, which cannot be read"]);
+    refused(&["setae.seta=patch.toml"], &["names patch.toml, which is not the scene of a seta"]);
+    refused(&["setae.seta="], &["`setae.seta` is empty"]);
+    let write = |name: &str, text: &str| fs::write(dir.path().join(name), text).unwrap();
+    let seta = fs::read_to_string(dir.path().join("seta.toml")).unwrap();
+    write("bad.toml", &seta.replace("forks = 1 ", "forks = -1 "));
+    refused(&["setae.seta=bad.toml"], &["names bad.toml, and there bad.toml, line 7: `seta.forks` is -1"]);
+    write("table.toml", &seta.replace("forks = 1 ", "tip_law = \"table\"\nforks = 1 "));
+    refused(&["setae.seta=table.toml"], &["made of tips that follow the curve", "Give seta.tip_law = \"curve\"."]);
+    let patch = fs::read_to_string(dir.path().join("patch.toml")).unwrap();
+    write("patch.toml", &patch.replace("law = \"law\"\n", ""));
+    refused(&[], &["`setae.seta` is given, and setae follow numbers"]);
+    write("patch.toml", &patch.replace("seta = \"seta.toml\"\n", ""));
+    refused(
+        &[],
+        &[
+            "`setae.law` names law/seta_law.toml, which cannot be read",
+            "peel coarsen SETA.toml",
+            "seta = \"SETA.toml\"",
+        ],
+    );
+    // a folder of something else is left alone
+    write("patch.toml", &patch);
+    fs::create_dir(dir.path().join("full")).unwrap();
+    write("full/notes.txt", "mine");
+    let full = ["run", "patch.toml", "--set", "setae.law=full"];
+    let (status, _, trouble) = run(dir.path(), &full);
+    assert!(
+        status != Some(0) && trouble.contains("full exists, is not empty and is not changed"),
+        "{status:?} {trouble}"
+    );
 }

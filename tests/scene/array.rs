@@ -53,3 +53,34 @@ fn what_does_not_fit() {
     );
     assert!(Scene::parse("a.toml", LAMELLA, &[]).unwrap_err().to_string().contains("array of setae"));
 }
+
+/// A scene of a seta, in the text of another one.
+const SETA_TEXT: &str =
+    "[seta]\nforks = 2\n[adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\n";
+
+#[test]
+fn the_seta_of_a_law_in_the_text_of_an_array() {
+    let with = |seta: &str| format!("[setae]\nlaw = \"none\"\nseta = '''\n{seta}'''\n[patch]\n");
+    let scene = Scene::parse_any("a.toml", &with(SETA_TEXT), &[]).unwrap();
+    let table = scene.array.as_ref().unwrap();
+    let seta = table.seta.as_ref().unwrap();
+    assert!(seta.lines.contains(&"seta.forks = 2.0".to_owned()), "{:?}", seta.lines);
+    // its law is not there: no array can be computed of it, and none is of the numbers of the defaults
+    assert!(table.law().is_none() && scene.seta_array(table).is_none());
+    assert_eq!(Scene::parse_any("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    refused(&with("[setae]\n"), &["a scene in this one, which is not the scene of a seta"]);
+    refused(
+        &with(&SETA_TEXT.replace("forks = 2", "forks = 0")),
+        &["and there the scene of `seta`, line", "`seta.forks`"],
+    );
+    // a text of somebody else reads no file, nor does one in it
+    let without = |text: &str| Scene::parse_without_files("a.toml", text, &[]).unwrap_err().to_string();
+    let named = "[setae]\nseta = \"/etc/passwd\"\n[patch]\n";
+    assert!(without(named).ends_with("`setae.seta` names a file, and this scene is read without files"));
+    let inside = with(&SETA_TEXT.replace("forks = 2", "tree = \"/etc/passwd\"")).replace("law = \"none\"\n", "");
+    assert!(
+        without(&inside).contains("`seta.tree` names a file, and this scene is read without files"),
+        "{}",
+        without(&inside)
+    );
+}

@@ -32,8 +32,8 @@ fn timed(key: &str) -> &'static str {
 
 #[test]
 fn every_example_that_messages_give_is_right() {
-    // of a law there has to be a folder: tests/command/seta_law.rs reads one
-    for key in KEYS.iter().filter(|key| key.path() != "setae.law") {
+    // of a law there has to be a folder, or a scene: tests/command/seta_law.rs reads them
+    for key in KEYS.iter().filter(|key| !["setae.law", "setae.seta"].contains(&key.path().as_str())) {
         let text = match key.table {
             "spatula" => SPATULA.to_owned(),
             "profile" if key.name == "pieces" => PIECES.to_owned(),

@@ -8,6 +8,7 @@
 
 mod coarsen;
 mod fit;
+mod missing_law;
 mod optimise;
 mod outcome;
 mod pulls;
@@ -19,6 +20,7 @@ mod uncertainty;
 
 pub use coarsen::{TipCoarsening, TipOutcome};
 pub use fit::{Data, FitOutcome, Fitting};
+pub use missing_law::MissingLaw;
 pub use optimise::{Optimisation, OptimisationOutcome};
 pub use outcome::{Analysis, End, Outcome, Refusal};
 pub use run::{

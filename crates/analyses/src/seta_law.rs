@@ -2,9 +2,10 @@
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::pulls::seta::{Setae, options};
-use crate::session::Session;
+use crate::session::{Progress, Session};
+use peelkit::solve::SolveError;
 use peelkit::study::coarsening::{RootPath, SetaLaw, SetaLawError};
-use peelkit::study::{SetaLoading, StopCriteria};
+use peelkit::study::{SetaFailure, SetaLoading, StopCriteria};
 use peelkit_report::{self as report, ReportError, SetaLawFound, SetaLawSummary, timed};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
 use rayon::prelude::*;
@@ -12,7 +13,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// Directions of the pulls, degrees from the ground.
-const DIRECTIONS: [f64; 7] = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0];
+pub(crate) const DIRECTIONS: [f64; 7] = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0];
 /// Which the law may have.
 const DEGREES: [usize; 3] = [2, 3, 4];
 /// No tip holds on so far, nm.
@@ -40,7 +41,7 @@ impl<'s> SetaLawCoarsening<'s> {
         if table.tip_law == SetaTipLaw::Table {
             return Err(Refusal::scene(
                 "the law of a seta is made of tips that follow the curve of their pull, and here they follow a table",
-                "Give --set seta.tip_law=curve.",
+                "Give seta.tip_law = \"curve\".",
             ));
         }
         if !DEGREES.contains(&degree) {
@@ -55,6 +56,10 @@ impl<'s> SetaLawCoarsening<'s> {
         let loading = SetaLoading::pull([angle.cos(), angle.sin(), 0.0], FAR);
         RootPath::resolved(&model, &loading, &options(self.scene), stop).map_err(|why| match why {
             SetaLawError::Stopped(_) => Refusal::CutShort(format!("{why}; nothing is written")),
+            SetaLawError::Failed(failure) if is_stopped(&failure) => Refusal::CutShort(
+                "a pull of the root is stopped by its bounds before a tip lets go: allow more; nothing is written"
+                    .to_owned(),
+            ),
             why => {
                 let degrees = angle.to_degrees();
                 Refusal::scene(
@@ -64,6 +69,13 @@ impl<'s> SetaLawCoarsening<'s> {
             }
         })
     }
+}
+
+/// Whether what a path failed of is that it was stopped.
+fn is_stopped(failure: &SetaFailure) -> bool {
+    use SetaFailure::{Lost, NoStart, Restless};
+    let (NoStart { cause } | Lost { cause, .. } | Restless { cause, .. }) = failure else { return false };
+    matches!(cause, SolveError::Stopped)
 }
 
 /// The law of a seta.
@@ -77,16 +89,22 @@ impl Analysis for SetaLawCoarsening<'_> {
 
     fn run(&self, session: &Session) -> Result<SetaLawOutcome, Refusal> {
         session.stage("pulls of the root of the seta");
+        session.watcher.see(Progress::Begin(DIRECTIONS.len()));
         let (setae, stop) = (Setae::like(self.scene), session.stop(self.scene));
         setae.prepare(self.scene, &stop);
         let (paths, seconds) = timed(|| {
             let angles = DIRECTIONS.par_iter().map(|degrees| degrees.to_radians());
-            let path = |angle| self.path(&setae, angle, &stop).map(|path| (angle, path));
+            let path = |angle| {
+                let path = self.path(&setae, angle, &stop)?;
+                session.watcher.see(Progress::Done);
+                Ok((angle, path))
+            };
             angles.map(path).collect::<Result<Vec<_>, Refusal>>()
         });
         let paths = paths?;
         let alone: Vec<RootPath> = paths.iter().map(|(_, path)| path.clone()).collect();
-        let law = SetaLaw::fitted(&alone, self.degree).map_err(|why| Refusal::scene(why, "Give another --degree."))?;
+        let law = SetaLaw::fitted(&alone, self.degree)
+            .map_err(|why| Refusal::scene(why, "Give another --degree to `peel coarsen`."))?;
         let by_degree = DEGREES.map(|degree| SetaLaw::fitted(&alone, degree).ok().map(|law| law.errors));
         Ok(SetaLawOutcome { found: SetaLawFound { law, by_degree, paths, seconds } })
     }
@@ -100,6 +118,7 @@ impl Outcome for SetaLawOutcome {
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
         let mut files = vec![SetaLawSummary::new(scene, &self.found).with_command(command).write(dir)?];
         files.extend(report::write_seta_law(dir, scene, &self.found)?);
+        files.extend(report::draw_seta_law(&self.found, &scene.title, dir)?);
         Ok(files)
     }
 

@@ -25,13 +25,14 @@ pub use checkpoint::part::{DividedSweep, Part, PartAxis, PartHeader, PartialColl
 pub use outputs::outputs;
 pub use pictures::fit::draw_fit;
 pub use pictures::followed::draw_followed;
+pub use pictures::laws::seta::draw_seta_law;
+pub use pictures::laws::tip::draw_tip_law;
 pub use pictures::observed::draw_observed;
 pub use pictures::optimisation::draw_optimum;
 pub use pictures::peel::{curve_svg, draw_peel, draw_peel_with_branch};
 pub use pictures::plane::draw_plane;
 pub use pictures::sensitivities::draw_sensitivities;
 pub use pictures::sweep::draw_sweep;
-pub use pictures::tip::draw_tip_law;
 pub use pictures::uncertainty::draw_uncertainty;
 pub use pulls::array::picture::draw_array;
 pub use pulls::array::summary::{ArrayFound, ArraySummary, array_end_reason, array_end_word};

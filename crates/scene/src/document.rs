@@ -97,9 +97,13 @@ impl Scene {
     }
 }
 
-/// Whether a key is the folder of the law of tips, or of a seta.
+/// Whether a key is the folder of the law of tips, or of a seta, or the scene of that.
 fn names_a_folder(key: &Key) -> bool {
-    (key.table, key.name) == (SETA.name, "tip_table") || is_law(key)
+    (key.table, key.name) == (SETA.name, "tip_table") || is_law(key) || is_seta(key)
+}
+
+fn is_seta(key: &Key) -> bool {
+    (key.table, key.name) == (SETAE.name, "seta")
 }
 
 fn is_law(key: &Key) -> bool {
@@ -111,6 +115,12 @@ fn names_a_file(key: &Key) -> ValueError {
         return ValueError::new(
             "names a folder, and this scene is read without files",
             "Put the lines of its seta_law.toml into the scene, between \"\"\" and \"\"\".",
+        );
+    }
+    if is_seta(key) {
+        return ValueError::new(
+            "names a file, and this scene is read without files",
+            "Put the lines of that scene into this one, between \"\"\" and \"\"\", or remove `seta`.",
         );
     }
     match names_a_folder(key) {

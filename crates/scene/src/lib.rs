@@ -26,7 +26,7 @@ pub use key::table::Table;
 pub use keys::{KEYS, find_key, tables};
 
 pub use peelkit::model::Range;
-pub use scene::array::{ArrayTable, BandLoad, FittedSeta, LamellaTable, PatchTable, ToeTable};
+pub use scene::array::{ArrayTable, BandLoad, FittedSeta, LamellaTable, PatchTable, SetaOfLaw, ToeTable};
 pub use scene::bounds::BoundsTable;
 pub use scene::rate::{Flow, TimeTable};
 pub use scene::seta::{SetaTable, SetaTipLaw};
@@ -38,7 +38,7 @@ pub use scene::studies::{
 pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
 pub use studies::parameters::Parameters;
-pub use tables::array::array_warnings;
+pub use tables::array::{array_warnings, seta_lines};
 pub use tables::measured::problem as refused_quantity;
 pub use tables::output::{event, station, units};
 pub use value::Value;

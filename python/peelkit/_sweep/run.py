@@ -79,6 +79,7 @@ def sweep(
     >>> found = peelkit.sweep(scene, {"strip.youngs_modulus": [1, 2, 4], "drive.angle": [60, 90]})  # doctest: +SKIP
     >>> found.peak_force.sel({"drive.angle": 90})  # doctest: +SKIP
     """
+    scene = scene._with_law()
     grid = Grid.of(scene, varied)
     text, name = scene.to_toml(), scene.name
     kept = _opened(store, Plan(text, name, grid, 1)) if store is not None else None

@@ -28,6 +28,7 @@ fn scenes_of_the_documents_are_read() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("beam.csv"), "s_nm,width_nm,height_nm\n0,20,5\n100,20,10\n").unwrap();
     std::fs::write(folder.path().join("heights.csv"), "x_nm,height_nm\n0,0\n50,-8\n100,0\n").unwrap();
+    std::fs::write(folder.path().join("seta.toml"), text("scenes/seta.toml")).unwrap();
     let name = folder.path().join("scene.toml");
     let mut read = 0;
     for path in documents() {

@@ -142,7 +142,7 @@ fn of_seta(pull_off: &SetaPullOff) -> PulledCurve {
 
 /// The pull of the array of a scene.
 pub fn pulled_array(scene: &Scene, table: &ArrayTable, stop: &StopCriteria) -> Result<ArrayPull, String> {
-    let array = scene.seta_array(table).ok_or("its setae stand on nothing")?;
+    let array = scene.seta_array(table).ok_or("its setae stand on nothing, or their law is not made yet")?;
     let stopped = || stop.should_stop.as_ref().is_some_and(|asked| asked(Stage::Path).is_some());
     array.pull(&stopped).map_err(|error| error.to_string())
 }

@@ -6,7 +6,7 @@ use crate::session::Session;
 use peelkit::study::Stage;
 use peelkit::toe::{ArrayEnd, ArrayPull, SetaArray};
 use peelkit_report::{self as report, ArraySummary, ReportError, timed};
-use peelkit_scene::{ArrayTable, Scene};
+use peelkit_scene::{ArrayTable, FittedSeta, Scene};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,12 @@ impl<'s> ArrayRun<'s> {
         asked::refuse(&options, "an array of setae", ".")?;
         let table = scene.array.as_ref().ok_or_else(|| Refusal::scene("it has no table [setae]", "Add one."))?;
         let array = scene.seta_array(table);
-        let array = array.ok_or_else(|| Refusal::scene("its setae stand on nothing", "Add [patch] or [lamella]."))?;
+        let array = array.ok_or_else(|| match &table.fitted {
+            Some(FittedSeta::Missing { .. }) => {
+                Refusal::scene("the law of its setae is not made yet", "`peel run` makes it.")
+            }
+            _ => Refusal::scene("its setae stand on nothing", "Add [patch] or [lamella]."),
+        })?;
         Ok(Self { scene, table, array: Box::new(array) })
     }
 }

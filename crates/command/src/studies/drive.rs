@@ -31,9 +31,9 @@ pub struct Drive<'d> {
 }
 
 /// Shows what it sees, and hears Ctrl-C.
-struct Eyes {
-    bar: Bar,
-    interrupt: Interrupt,
+pub(super) struct Eyes {
+    pub bar: Bar,
+    pub interrupt: Interrupt,
 }
 
 impl Watcher for Eyes {

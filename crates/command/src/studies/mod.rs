@@ -6,6 +6,7 @@ pub(crate) mod collect;
 mod drive;
 pub(crate) mod fit;
 pub(crate) mod optimise;
+pub(crate) mod ready;
 pub(crate) mod run;
 pub(crate) mod sweep;
 pub(crate) mod uncertainty;

@@ -1,6 +1,7 @@
 //! `peel optimise`: the best design of a scene that says what is free.
 
 use crate::studies::drive::Drive;
+use crate::studies::ready::ready;
 use crate::terminal::help::{EXIT_STATUS, OUTPUTS};
 use crate::terminal::input::SceneArgs;
 use crate::terminal::output::OutArgs;
@@ -30,7 +31,7 @@ pub struct Optimise {
 }
 
 pub fn optimise(args: &Optimise) -> Result<(), Stop> {
-    let scene = args.scene.load_any()?;
+    let scene = ready(|| args.scene.load_any())?;
     let optimisation = Optimisation::of(&scene).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
         scene: &scene,

@@ -1,6 +1,7 @@
 //! `peel run`: the whole peel of one scene.
 
 use crate::studies::drive::Drive;
+use crate::studies::ready::ready;
 use crate::terminal::help;
 use crate::terminal::input::SceneArgs;
 use crate::terminal::output::OutArgs;
@@ -154,7 +155,7 @@ impl Run {
 }
 
 pub fn run(args: &Run) -> Result<(), Stop> {
-    let mut scene = args.scene.load_any()?;
+    let mut scene = ready(|| args.scene.load_any())?;
     args.add_stations(&mut scene)?;
     args.units.put(&mut scene)?;
     let scene = scene;

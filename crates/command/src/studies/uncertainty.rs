@@ -1,6 +1,7 @@
 //! `peel uncertainty`: keys of a scene that have distributions, sampled and propagated.
 
 use crate::studies::drive::Drive;
+use crate::studies::ready::ready;
 use crate::terminal::help;
 use crate::terminal::input::SceneArgs;
 use crate::terminal::output::OutArgs;
@@ -30,7 +31,7 @@ pub struct Uncertainty {
 }
 
 pub fn uncertainty(args: &Uncertainty) -> Result<(), Stop> {
-    let scene = args.scene.load_any()?;
+    let scene = ready(|| args.scene.load_any())?;
     let uncertainty = Analysis::of(&scene).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
         scene: &scene,

@@ -1,5 +1,6 @@
 //! `peel serve`: a page on the user's own machine.
 
+use crate::studies::ready::ready;
 use crate::terminal::help::EXIT_STATUS;
 use crate::terminal::input::{parse_override, read_any_scene};
 use crate::terminal::interrupt::Interrupt;
@@ -63,7 +64,7 @@ fn whereabouts(address: SocketAddr) -> String {
 
 /// The scene of the user, its tables in its text.
 fn own_scene(path: &Path, overrides: &[(String, String)]) -> Result<StartScene, Stop> {
-    Ok(StartScene::of(&read_any_scene(path, overrides)?))
+    Ok(StartScene::of(&ready(|| read_any_scene(path, overrides))?))
 }
 
 // -- The help --

@@ -39,8 +39,10 @@ pub struct ArrayTable {
     pub last_reach: Option<f64>,
     /// Along what its reach is measured, rad from the ground
     pub exit_angle: f64,
-    /// The law that was made of a resolved seta; none: the numbers above
+    /// The law of a resolved seta; none: the numbers above
     pub fitted: Option<FittedSeta>,
+    /// The seta whose law that has to be
+    pub seta: Option<SetaOfLaw>,
     /// F_n = F_s tan α is the most that a seta holds; for the critical angle of a lamella alone
     pub cone_angle: Option<f64>,
     /// How setae differ
@@ -63,11 +65,30 @@ pub struct ArrayTable {
 
 /// The law of a resolved seta.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FittedSeta {
-    /// Its potential and its exit
-    pub law: SetaLaw,
-    /// The text that it was read from
+pub enum FittedSeta {
+    /// One that was read
+    Known {
+        /// Its potential and its exit
+        law: SetaLaw,
+        /// The text that it was read from
+        text: String,
+    },
+    /// One that is not made yet
+    Missing {
+        /// Its folder, as the scene names it
+        folder: String,
+        /// What is not there, in words
+        why: String,
+    },
+}
+
+/// One seta, whose law an array takes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetaOfLaw {
+    /// Its scene
     pub text: String,
+    /// What that says of the seta and its tips, a line a key
+    pub lines: Vec<String>,
 }
 
 /// A rigid backing.
@@ -125,6 +146,7 @@ impl Default for ArrayTable {
             last_reach: None,
             exit_angle: 90.0 * 1f64.to_radians(),
             fitted: None,
+            seta: None,
             cone_angle: None,
             scatter: Scatter::default(),
             seed: 0.0,

@@ -1,11 +1,11 @@
 //! An array of setae: what of it cannot be computed, and what is computed of it.
 
 use crate::error::{Origin, SceneError, ValueError};
-use crate::key::kind::Setting;
-use crate::scene::Scene;
-use crate::scene::array::{ArrayTable, BandLoad, FittedSeta};
+use crate::key::kind::{Key, Setting};
+use crate::scene::array::{ArrayTable, BandLoad, FittedSeta, SetaOfLaw};
+use crate::scene::{Described, Scene};
 use crate::value::form::Form;
-use crate::value::seta_law::read_seta_law;
+use crate::value::seta_law::{LawRead, other_seta, parse_seta_law, read_seta_law, read_seta_scene};
 use crate::value::{Fault, Value};
 use peelkit::analytic::{pretensioned_force, self_peeling_tension};
 use peelkit::study::coarsening::{ExitPlane, SetaSheet};
@@ -28,12 +28,107 @@ pub(crate) static LAW: Setting = Setting {
         let Value::Text(text) = value else {
             return Err(Fault::whole(format!("is {value}, and takes the name of a folder in quotes")));
         };
-        let (law, text) = read_seta_law(&scene.name, text).map_err(Fault::whole)?;
-        scene.array_table().fitted = Some(FittedSeta { law, text });
+        let fitted = match read_seta_law(&scene.name, text).map_err(Fault::whole)? {
+            LawRead::Known(law, text) => FittedSeta::Known { law: *law, text },
+            LawRead::Missing(why) => FittedSeta::Missing { folder: text.clone(), why },
+        };
+        scene.array_table().fitted = Some(fitted);
         Ok(())
     },
-    write: |scene, _| Some(Value::Text(scene.array.as_ref()?.fitted.as_ref()?.text.clone())),
+    write: |scene, _| match scene.array.as_ref()?.fitted.as_ref()? {
+        FittedSeta::Known { text, .. } => Some(Value::Text(text.clone())),
+        FittedSeta::Missing { folder, .. } => Some(Value::Text(folder.clone())),
+    },
 };
+
+/// `seta`
+pub(crate) static SETA: Setting = Setting {
+    takes: "the name of a file in quotes, the scene of the seta that `law` is of, beside the scene, or its text",
+    brief: "a scene",
+    example: "\"seta.toml\"",
+    form: || Form::Text,
+    read: |scene, value, keys| {
+        let Value::Text(text) = value else {
+            return Err(Fault::whole(format!("is {value}, and takes the name of a file in quotes")));
+        };
+        let seta = seta_of_law(&scene.name, text, keys).map_err(Fault::whole)?;
+        scene.array_table().seta = Some(seta);
+        Ok(())
+    },
+    write: |scene, _| Some(Value::Text(scene.array.as_ref()?.seta.as_ref()?.text.clone())),
+};
+
+/// The seta that a value gives by its scene, a text of several lines or a file beside the scene.
+fn seta_of_law(scene: &str, value: &str, keys: &[Key]) -> Result<SetaOfLaw, String> {
+    if value.trim().is_empty() {
+        return Err("is empty".to_owned());
+    }
+    let refused = |shown: &str, error: &SceneError| format!("names {shown}, and there {error}. {}", error.remedy());
+    // an array in it would be read for ever where it names itself
+    let of_array = |text: &str| text.parse::<toml::Table>().is_ok_and(|table| table.contains_key(TABLE));
+    let of_one = |shown: &str| format!("names {shown}, which is not the scene of a seta");
+    let (seta, shown) = if value.contains('\n') {
+        let shown = "a scene in this one";
+        if of_array(value) {
+            return Err(of_one(shown));
+        }
+        let seta = Scene::parse_without_files("the scene of `seta`", value, &[]);
+        (seta.map_err(|error| refused(shown, &error))?, shown.to_owned())
+    } else {
+        let (text, shown) = read_seta_scene(scene, value)?;
+        if of_array(&text) {
+            return Err(of_one(&shown));
+        }
+        (Scene::parse_any(&shown, &text, &[]).map_err(|error| refused(&shown, &error))?, shown)
+    };
+    match seta.describes() {
+        Described::Seta(_) => Ok(SetaOfLaw { lines: seta_lines(&seta, keys), text: seta.to_toml() }),
+        _ => Err(of_one(&shown)),
+    }
+}
+
+/// The tables of a scene that make a seta.
+const OF_A_SETA: [&str; 3] = ["seta", "spatula", "adhesion"];
+
+/// What a scene says of its seta and its tips, a line for each of these keys: the law of another seta has others.
+pub fn seta_lines(scene: &Scene, keys: &[Key]) -> Vec<String> {
+    let own = keys.iter().filter(|key| OF_A_SETA.contains(&key.table) && key.belongs_to(scene));
+    let line = |key: &Key| {
+        let value = match key.held(keys, scene)? {
+            Value::Number(number) => format!("{number:?}"),
+            other => other.to_string(),
+        };
+        Some(format!("{} = {value}", key.label()))
+    };
+    own.filter_map(line).collect()
+}
+
+/// What is wrong with the law of the setae beside the seta that it is to be of: by the key of the scene.
+fn problem_of_law(table: &ArrayTable) -> Option<(String, ValueError)> {
+    let of = |key: &str, found: String, remedy: &str| Some((key.to_owned(), ValueError::new(found, remedy.to_owned())));
+    match (&table.fitted, &table.seta) {
+        (None, Some(_)) => of(
+            "setae.seta",
+            "is given, and setae follow numbers, not the law of a seta".to_owned(),
+            "Give `law`, the name of the folder of its law, which is made where it is missing, or remove `seta`.",
+        ),
+        (Some(FittedSeta::Missing { why, .. }), None) => of(
+            "setae.law",
+            why.clone(),
+            "Make it by `peel coarsen SETA.toml --out FOLDER`, or name the scene of the seta by `seta = \"SETA.toml\"`: a run then makes it.",
+        ),
+        (Some(FittedSeta::Known { text, .. }), Some(seta)) => {
+            let (_, lines) = parse_seta_law(text).ok()?;
+            let other = other_seta(&lines, &seta.lines)?;
+            of(
+                "setae.law",
+                format!("is the law of another seta: {other}"),
+                "Name another folder, in which the law is made anew, or remove `seta`.",
+            )
+        }
+        _ => None,
+    }
+}
 
 /// That a scene is one of an array, where something else is asked for.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
@@ -45,11 +140,16 @@ pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
 }
 
 impl ArrayTable {
-    /// The law of a seta.
-    pub fn law(&self) -> RootLaw {
-        if let Some(fitted) = &self.fitted {
-            return RootLaw::Fitted(fitted.law.clone());
+    /// The law of a seta; none where it is not made yet.
+    pub fn law(&self) -> Option<RootLaw> {
+        match &self.fitted {
+            Some(FittedSeta::Known { law, .. }) => Some(RootLaw::Fitted(law.clone())),
+            Some(FittedSeta::Missing { .. }) => None,
+            None => Some(self.law_of_numbers()),
         }
+    }
+
+    fn law_of_numbers(&self) -> RootLaw {
         let Self { stiffness, reach, .. } = *self;
         let upright = (self.exit_angle - FRAC_PI_2).abs() < 1e-12;
         match (self.last_reach, self.tangential_stiffness) {
@@ -66,7 +166,8 @@ impl ArrayTable {
 
     /// The most that a seta holds where it is lifted straight, nN; of a law by numbers along its exit. None where a lift does not lead to the exit.
     pub fn strength(&self) -> Option<f64> {
-        let Some(FittedSeta { law, .. }) = &self.fitted else { return Some(self.stiffness * self.reach) };
+        let Some(fitted) = &self.fitted else { return Some(self.stiffness * self.reach) };
+        let FittedSeta::Known { law, .. } = fitted else { return None };
         let nearer = law.exit.direction[1];
         let at = [0.0, law.exit.distance / nearer];
         (nearer > 0.0).then(|| law.response(SetaSheet::Adhering, at).force[1])
@@ -89,7 +190,7 @@ impl ArrayTable {
             columns: self.columns,
             pitch: self.pitch,
             section: BandSection::rectangular(self.width(), table.thickness, table.youngs_modulus),
-            law: self.law(),
+            law: self.law()?,
             scatter: self.scatter(),
             overhang: table.overhang,
             pulled_at: table.pulled_at.map(|row| row - 1),
@@ -98,7 +199,7 @@ impl ArrayTable {
 
     /// Γb, nN: the work of a row's setae over their pitch. None of a law whose exit is not above where it is at rest.
     pub fn peeling_energy(&self) -> Option<f64> {
-        Some(self.law().work()? * self.columns as f64 / self.pitch)
+        Some(self.law()?.work()? * self.columns as f64 / self.pitch)
     }
 
     /// The force of the band as a tape that peels steadily at an angle, with its tension, nN.
@@ -109,7 +210,7 @@ impl ArrayTable {
 }
 
 impl Scene {
-    /// The array of a table, with its load.
+    /// The array of a table, with its load; none where its setae stand on nothing, or their law is not made yet.
     pub fn seta_array(&self, table: &ArrayTable) -> Option<SetaArray> {
         let angle = self.model.pull.angle;
         let angle = if (angle - FRAC_PI_2).abs() < 1e-12 { FRAC_PI_2 } else { angle };
@@ -119,7 +220,7 @@ impl Scene {
                 columns: table.columns,
                 pitch: table.pitch,
                 backing: patch.dome_radius.map_or(Backing::Flat, |radius| Backing::Dome { radius }),
-                law: table.law(),
+                law: table.law()?,
                 scatter: table.scatter(),
                 press: patch.press,
                 steps: vec![PatchStep { angle, distance: None }],
@@ -154,6 +255,9 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
             found,
             "Add the table [patch], of a rigid backing, or [lamella], of a band; beside that [toe], of a pad.",
         );
+    }
+    if let Some(problem) = problem_of_law(table) {
+        return Some(problem);
     }
     if table.pitch < table.diameter {
         let found = format!(

@@ -1,8 +1,10 @@
 //! The law of a seta as a text, which `peel coarsen` of a seta writes and `setae.law` reads.
 
+use crate::error::one_line;
 use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
 use std::fs;
-use std::path::Path;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
 use toml::{Table, Value as Toml};
 
 /// The file of the law in its folder.
@@ -65,22 +67,70 @@ fn number_of(value: &Toml) -> Option<f64> {
     value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).filter(|number| number.is_finite())
 }
 
-/// The law that a value gives, a text of several lines or a folder beside the scene, and its text.
-pub(crate) fn read_seta_law(scene: &str, value: &str) -> Result<(SetaLaw, String), String> {
+/// What a value gives as the law of a seta.
+pub(crate) enum LawRead {
+    /// A law, and the text that it was read from
+    Known(Box<SetaLaw>, String),
+    /// A folder without one, and what is not there
+    Missing(String),
+}
+
+/// The law that a value gives, a text of several lines or a folder beside the scene.
+pub(crate) fn read_seta_law(scene: &str, value: &str) -> Result<LawRead, String> {
     if value.contains('\n') {
         let (law, _) = parse_seta_law(value)?;
-        return Ok((law, value.to_owned()));
+        return Ok(LawRead::Known(Box::new(law), value.to_owned()));
     }
     if value.trim().is_empty() {
         return Err("is empty".to_owned());
     }
-    let path = Path::new(scene).parent().unwrap_or(Path::new("")).join(value).join(SETA_LAW);
+    let path = beside(scene, value).join(SETA_LAW);
     let shown = path.display();
-    let size = fs::metadata(&path).map_err(|error| format!("names {shown}, which cannot be read: {error}"))?.len();
-    if size > MOST_BYTES {
-        return Err(format!("names {shown}, which has {size} bytes and is no law of a seta"));
+    let unread = |error| format!("names {shown}, which cannot be read: {error}");
+    match fs::metadata(&path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(LawRead::Missing(unread(error))),
+        Err(error) => return Err(unread(error)),
+        Ok(found) if found.len() > MOST_BYTES => {
+            return Err(format!("names {shown}, which has {} bytes and is no law of a seta", found.len()));
+        }
+        Ok(_) => {}
     }
-    let text = fs::read_to_string(&path).map_err(|error| format!("names {shown}, which cannot be read: {error}"))?;
+    let text = fs::read_to_string(&path).map_err(unread)?;
     let (law, _) = parse_seta_law(&text).map_err(|why| format!("names {shown}, which {why}"))?;
-    Ok((law, text))
+    Ok(LawRead::Known(Box::new(law), text))
+}
+
+/// What a value names, seen from the scene of this name.
+pub(crate) fn beside(scene: &str, value: &str) -> PathBuf {
+    Path::new(scene).parent().unwrap_or(Path::new("")).join(value)
+}
+
+/// The text of the scene of a seta that a value names, and its place.
+pub(crate) fn read_seta_scene(scene: &str, value: &str) -> Result<(String, String), String> {
+    let path = beside(scene, value);
+    let shown = path.display();
+    let unread = |error| format!("names {shown}, which cannot be read: {error}");
+    let found = fs::metadata(&path).map_err(unread)?;
+    if !found.is_file() || found.len() > MOST_BYTES {
+        return Err(format!("names {shown}, which is no file of at most {MOST_BYTES} bytes"));
+    }
+    Ok((fs::read_to_string(&path).map_err(unread)?, shown.to_string()))
+}
+
+/// What of a seta differs between the lines of its law and those that are wanted, in words; nothing where they agree.
+pub(crate) fn other_seta(law: &[String], wanted: &[String]) -> Option<String> {
+    fn split(line: &str) -> (&str, &str) {
+        line.split_once(" = ").unwrap_or((line, ""))
+    }
+    let value = |lines: &[String], key: &str| {
+        let own = lines.iter().map(|line| split(line)).find(|(name, _)| *name == key);
+        own.map_or("not given".to_owned(), |(_, value)| one_line(value))
+    };
+    let differing = wanted.iter().filter(|line| !law.contains(line));
+    let removed = law.iter().filter(|line| wanted.iter().all(|other| split(other).0 != split(line).0));
+    let keys: Vec<&str> = differing.chain(removed).map(|line| split(line).0).collect();
+    let (first, rest) = keys.split_first()?;
+    let more = if rest.is_empty() { String::new() } else { format!("; different too: {}", rest.join(", ")) };
+    let (there, here) = (value(law, first), value(wanted, first));
+    Some(format!("{first} is {there} there, and {here} in the scene that `seta` names{more}"))
 }

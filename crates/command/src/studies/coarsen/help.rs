@@ -40,7 +40,9 @@ no part.
   summary.json        exit plane, stiffness, errors of each degree, and the scene
   seta_law.toml       coefficients, exit plane, errors, the seta, and a check sum
   seta_paths.csv      one row for each equilibrium: force of the resolved seta, and by the law
+  seta_law.svg, .png  both against displacement, along each pull, with the exit
 
-Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2.
+Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2. With setae.seta, the scene of the
+seta, a missing folder is made by whatever command computes the array, and the law of another seta is refused.
 
 Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";

@@ -8,6 +8,7 @@ mod varied;
 use args::Sweep;
 
 use crate::studies::drive::Drive;
+use crate::studies::ready::ready;
 use crate::terminal::progress::Bar;
 use crate::terminal::stop::Stop;
 use crate::text_summary;
@@ -17,7 +18,7 @@ use peelkit_report::SweptKeys;
 use peelkit_scene::{Key, Scene};
 
 pub fn sweep(args: &Sweep) -> Result<(), Stop> {
-    let mut scene = args.scene.load_any()?;
+    let mut scene = ready(|| args.scene.load_any())?;
     args.units.put(&mut scene)?;
     let scene = scene;
     let refused = |why| Stop::refused(&scene, why);

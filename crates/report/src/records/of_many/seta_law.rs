@@ -7,12 +7,9 @@ use crate::writing::record::write_table;
 use crate::writing::record::{Fields, Record};
 use crate::writing::reference::Output;
 use peelkit::study::coarsening::{RootPath, RootPoint, SetaLaw, SetaLawErrors, SetaSheet};
-use peelkit_scene::{CHECK, KEYS, Key, SETA_LAW, Scene, Value};
+use peelkit_scene::{CHECK, KEYS, SETA_LAW, Scene, seta_lines};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-
-/// The tables of a scene that make a seta.
-const OF: [&str; 3] = ["seta", "spatula", "adhesion"];
 
 /// The law of a seta, and what it is made of.
 #[derive(Clone, Debug)]
@@ -25,19 +22,6 @@ pub struct SetaLawFound {
     pub paths: Vec<(f64, RootPath)>,
     /// That it took
     pub seconds: f64,
-}
-
-/// What a scene says of its seta and its tips, a line a key: the law of another seta has others.
-pub fn seta_lines(scene: &Scene) -> Vec<String> {
-    let own = KEYS.iter().filter(|key| OF.contains(&key.table) && key.belongs_to(scene));
-    let line = |key: &Key| {
-        let value = match key.value(scene)? {
-            Value::Number(number) => format!("{number:?}"),
-            other => other.to_string(),
-        };
-        Some(format!("{} = {value}", key.label()))
-    };
-    own.filter_map(line).collect()
 }
 
 /// The law as a text, with the seta of a scene that it is of.
@@ -66,7 +50,7 @@ pub fn seta_law_text(law: &SetaLaw, scene: &Scene) -> String {
     _ = writeln!(text, "exit_direction = {}", list(&law.exit.direction));
     numbers.iter().for_each(|(name, number)| _ = writeln!(text, "{name} = {number:?}"));
     text += "# the seta\nof = [\n";
-    for line in seta_lines(scene) {
+    for line in seta_lines(scene, KEYS) {
         _ = writeln!(text, "  {},", serde_json::Value::from(line));
     }
     text += "]\n";
