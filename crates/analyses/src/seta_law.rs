@@ -118,7 +118,7 @@ impl Outcome for SetaLawOutcome {
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
         let mut files = vec![SetaLawSummary::new(scene, &self.found).with_command(command).write(dir)?];
         files.extend(report::write_seta_law(dir, scene, &self.found)?);
-        files.extend(report::draw_seta_law(&self.found, &scene.title, dir)?);
+        files.extend(report::draw_seta_law(&self.found, scene, dir)?);
         Ok(files)
     }
 

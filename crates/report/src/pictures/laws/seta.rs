@@ -4,7 +4,7 @@ use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
 use crate::chart::panel::{Line, Mark, Panel};
-use crate::chart::picture::Picture;
+use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, order_shade};
 use crate::records::of_many::seta_law::SetaLawFound;
@@ -22,15 +22,19 @@ const SMALL: f64 = 0.05;
 /// Draws `seta_law.svg` and `seta_law.png` into `dir`: the force off the ground and along it, of the law and of the resolved seta.
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]).
-pub fn draw_seta_law(found: &SetaLawFound, title: &str, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let law = &found.law;
+pub fn draw_seta_law<'h>(
+    found: &SetaLawFound,
+    heading: impl Into<Heading<'h>>,
+    dir: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let (law, Heading { title, units }) = (&found.law, heading.into());
     let caption = format!(
         "Lines: the law of degree {}, within {:.2} % of the largest force. Dots: the resolved seta. Dashed: the first tip lets go.",
         law.degree,
         100.0 * law.errors.force
     );
     let panels = vec![panel(found, 0, 1, "normal force (nN)"), panel(found, 1, 0, "force along the ground (nN)")];
-    save(&Picture::of(&format!("{title}\n{caption}"), panels), dir, "seta_law")
+    save(&Picture::of(&format!("{title}\n{caption}"), panels).in_units(units), dir, "seta_law")
 }
 
 /// A component of the force over how far the root is pulled.
