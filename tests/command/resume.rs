@@ -70,7 +70,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a seta that is pressed on, with states",
         scene: include_str!("../../scenes/seta.toml"),
-        command: &["run", "--states", "4", "--set", "seta.forks=6", "--set", "seta.preload=0.1 uN"],
+        command: &["run", "--states", "4", "--set", "seta.forks=8", "--set", "seta.preload=0.1 uN"],
         partial: "run.partial",
         results: 1,
         counts: false,

@@ -250,7 +250,7 @@ pub static KEYS: &[Key] = &[
     key(&SETAE, "last_reach", Optional, Kind::Bound(Length, |s| &mut setae(s).last_reach), "displacement up to which it softens; none: brittle").titled("displacement up to which a seta softens", ""),
     key(&SETAE, "exit_angle", Optional, Kind::Measure(Angle, EXIT_ANGLES, |s| &mut setae(s).exit_angle), "direction in which its reach is measured, to the ground").titled("direction of the exit of a seta", ""),
     key(&SETAE, "law", Optional, Kind::Setting(&array::LAW), "folder of peel coarsen with their law; none: numbers"),
-    key(&SETAE, "seta", Optional, Kind::Setting(&array::SETA), "scene of the seta of that law, which is made where it is missing"),
+    key(&SETAE, "seta", Optional, Kind::Setting(&array::SETA), "scene of the seta of that law, to make it"),
     key(&SETAE, "cone_angle", Optional, Kind::Bound(Angle, |s| &mut setae(s).cone_angle), "critical angle of a seta, for that of a lamella").titled("critical angle of a seta", "α"),
     key(&SETAE, "height_scatter", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut setae(s).scatter.height), "half the range of the heights of setae").titled("half the range of the heights of setae", ""),
     key(&SETAE, "strength_scatter", Optional, Kind::Number(Range::From(0.0, 0.999), |s| &mut setae(s).scatter.strength), "half the range of their strengths, over the mean").titled("half the range of the strengths of setae", ""),
