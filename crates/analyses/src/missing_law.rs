@@ -6,7 +6,7 @@ use crate::seta_law::{DIRECTIONS, SetaLawCoarsening};
 use peelkit_report::{Existing, OutputFolder, ReportError};
 use peelkit_scene::{FittedSeta, SETA_LAW, Scene};
 use std::fmt;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// What a band takes.
 const OF_A_BAND: usize = 2;
@@ -31,7 +31,7 @@ impl MissingLaw {
         };
         let seta = Scene::parse_any("the scene of `setae.seta`", &seta.text, &[]);
         let seta = seta.map_err(|error| Refusal::asked(&error, error.remedy()))?;
-        let folder = Path::new(&scene.name).parent().unwrap_or(Path::new("")).join(folder);
+        let folder = scene.beside(folder);
         let degree = if table.patch.is_some() { OF_A_PATCH } else { OF_A_BAND };
         SetaLawCoarsening::of(&seta, degree)?;
         Ok(Some(Self { seta, folder, degree }))

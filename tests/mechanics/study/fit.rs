@@ -186,7 +186,8 @@ fn intervals_where_both_errors_are_estimated_are_somewhat_too_narrow() {
     let held = [0, 1].map(|k| all.iter().filter(|one| one.0[k]).count());
     let mean = [0, 1].map(|k| all.iter().map(|one| one.1[k]).sum::<f64>() / repetitions as f64);
     println!("{held:?} of {repetitions}, errors {mean:?}");
-    assert!(held.iter().all(|&count| 100 * count as u64 >= 80 * repetitions), "{held:?} of {repetitions}");
+    let least = if repetitions < 100 { 80 } else { 83 };
+    assert!(held.iter().all(|&count| 100 * count as u64 >= least * repetitions), "{held:?} of {repetitions}");
     assert!((mean[0] / 0.004 - 1.0).abs() < 0.15 && (mean[1] / 0.02 - 1.0).abs() < 0.25, "{mean:?}");
 }
 

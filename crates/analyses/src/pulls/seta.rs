@@ -8,7 +8,6 @@ use peelkit::study::coarsening::{
 };
 use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaPullOff, SetaResult, SpatulaCurveError, StopCriteria};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
-use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 /// By how much the curve of a tip begins with it pressed, nm.
@@ -70,7 +69,7 @@ fn first_table(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<
         let made = Coarsening::until(&scene.tip_model(), &table_options(table), stop);
         return Ok(Arc::new(made.and_then(|mut made| made.table())?));
     };
-    let folder = Path::new(&scene.name).parent().unwrap_or(Path::new("")).join(folder);
+    let folder = scene.beside(folder);
     let read = peelkit_report::read_tip_law_of(&folder, scene, table.tip_tolerance);
     let remedy = "`peel coarsen` of a scene with the body and the adhesion of the tips writes it; without seta.tip_table the run computes it.";
     let mut read = read.map_err(|error| NoTable::Refused { found: error.to_string(), remedy })?;

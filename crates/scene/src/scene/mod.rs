@@ -7,6 +7,7 @@ pub(crate) mod seta;
 pub(crate) mod solid;
 pub(crate) mod studies;
 
+use crate::value::table::beside;
 use array::ArrayTable;
 use bounds::BoundsTable;
 use peelkit::beam::Material;
@@ -16,7 +17,7 @@ use peelkit::units::PreferredUnits;
 use rate::TimeTable;
 use seta::SetaTable;
 use solid::SolidTable;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use studies::{FitTable, OptimisationTable, UncertaintyTable};
 
 /// A whole scene, every value checked.
@@ -169,6 +170,11 @@ impl Scene {
 }
 
 impl Scene {
+    /// The file or folder that it names, which is beside it.
+    pub fn beside(&self, named: &str) -> PathBuf {
+        beside(&self.name, named)
+    }
+
     /// Stations and events, as a run looks for them on its way.
     pub fn looked_for(&self) -> Vec<EventAt> {
         self.stations.iter().map(|&at| at.into()).chain(self.events.iter().cloned()).collect()

@@ -1,10 +1,10 @@
 //! The law of a seta as a text, which `peel coarsen` of a seta writes and `setae.law` reads.
 
+use super::table::beside;
 use crate::error::one_line;
 use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
 use std::fs;
 use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
 use toml::{Table, Value as Toml};
 
 /// The file of the law in its folder.
@@ -98,11 +98,6 @@ pub(crate) fn read_seta_law(scene: &str, value: &str) -> Result<LawRead, String>
     let text = fs::read_to_string(&path).map_err(unread)?;
     let (law, _) = parse_seta_law(&text).map_err(|why| format!("names {shown}, which {why}"))?;
     Ok(LawRead::Known(Box::new(law), text))
-}
-
-/// What a value names, seen from the scene of this name.
-pub(crate) fn beside(scene: &str, value: &str) -> PathBuf {
-    Path::new(scene).parent().unwrap_or(Path::new("")).join(value)
 }
 
 /// The text of the scene of a seta that a value names, and its place.

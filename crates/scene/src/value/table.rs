@@ -6,7 +6,7 @@ use peelkit::adhesion::{Heights, HeightsError, TractionTableError};
 use peelkit::model::{ProfileColumns, ProfileTable, TableError};
 use std::fmt::Display;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What is wrong with a table in CSV.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -220,6 +220,11 @@ pub(crate) fn read_heights(name: &str, text: &str) -> Result<(Heights, String), 
     read(name, text, parse_heights)
 }
 
+/// The file or folder that a scene of this name names, which is beside it.
+pub(crate) fn beside(scene: &str, named: &str) -> PathBuf {
+    Path::new(scene).parent().unwrap_or(Path::new("")).join(named)
+}
+
 /// Reads a table from a text of several lines, or from the file that a text of one line names, beside the scene `name`. The error
 /// says what was found.
 pub(super) fn read<T, E: Display>(
@@ -230,7 +235,7 @@ pub(super) fn read<T, E: Display>(
     if text.contains('\n') {
         return parse(text).map(|table| (table, text.to_owned())).map_err(|error| error.to_string());
     }
-    let path = Path::new(name).parent().unwrap_or(Path::new("")).join(text);
+    let path = beside(name, text);
     let shown = one_line(&path.display().to_string());
     let metadata =
         fs::metadata(&path).map_err(|error| format!("names the file {shown}, which cannot be read: {error}"))?;
