@@ -343,6 +343,7 @@ Examples:
   peel verify
   peel verify --only strip --json
   peel verify --hard
+  peel verify --part 1/3
   peel verify --sampled 100 --kind strip
   peel verify --sampled 100 --kind law --ways 2
   peel verify --scenes 72,196 --kind law --ways 1

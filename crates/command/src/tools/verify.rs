@@ -8,6 +8,7 @@ use clap::Args;
 use peelkit_checks::sampled::{SampleKind, SampledScenes, WAYS, scene_text, survey_sample};
 use peelkit_checks::suite::{Check, TOPICS, Topic, hard};
 use peelkit_checks::{check_line, checks_json};
+use peelkit_report::Part;
 
 /// Compares the program with published values, closed forms and the tables of verification/
 #[derive(Args)]
@@ -20,6 +21,10 @@ pub struct Verify {
     /// Only the hard scenes: extreme parameters, sections on edge
     #[arg(long, conflicts_with = "only")]
     hard: bool,
+
+    /// Checks one part of N: 1/3; the topics, or the hard scenes, are dealt out in turn
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["only", "sample"])]
+    part: Option<Part>,
 
     /// Peels so many randomly sampled scenes instead
     ///
@@ -121,7 +126,7 @@ type Suite = Box<dyn Fn() -> Vec<Check>>;
 
 fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
     if args.hard {
-        let scenes = hard_scenes()?;
+        let scenes = in_part(args, hard_scenes()?);
         return Ok(vec![Box::new(move || hard::run(&scenes))]);
     }
     let names = &args.only;
@@ -130,5 +135,12 @@ fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
         return Err(Stop::bad_input(format!("--only {name} is no topic"), format!("topics: {}", known.join(", "))));
     }
     let wanted = |topic: &&Topic| names.is_empty() || names.iter().any(|name| name == topic.name);
-    Ok(TOPICS.iter().filter(wanted).map(|topic| Box::new(|| topic.run()) as Suite).collect())
+    let topics = in_part(args, TOPICS.iter().filter(wanted).collect());
+    Ok(topics.into_iter().map(|topic| Box::new(|| topic.run()) as Suite).collect())
+}
+
+/// Those of the part that is wanted.
+fn in_part<T>(args: &Verify, all: Vec<T>) -> Vec<T> {
+    let numbered = all.into_iter().enumerate();
+    numbered.filter(|(number, _)| args.part.is_none_or(|part| part.has(*number))).map(|(_, one)| one).collect()
 }
