@@ -19,6 +19,17 @@ pub struct Axis {
     pub beside: f64,
     /// The units that the user wants, whatever the prefix that fits.
     pub units: PreferredUnits,
+    /// What its ends were made for.
+    pub ends: Ends,
+}
+
+/// What the ends of an axis were made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// Those that were given, as of a body that is drawn to scale
+    Fixed,
+    /// To hold some values: the axis may go on for a legend
+    Around,
 }
 
 /// A tick; the small ones between carry no text.
@@ -39,6 +50,7 @@ impl Axis {
             names: Vec::new(),
             beside: 0.0,
             units: PreferredUnits::default(),
+            ends: Ends::Fixed,
         }
     }
 
@@ -57,16 +69,27 @@ impl Axis {
     pub fn around(label: &str, values: impl IntoIterator<Item = f64>, log: bool) -> Self {
         let usable = values.into_iter().filter(|v| v.is_finite() && (!log || *v > 0.0));
         let (low, high) = usable.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        let around = |from: f64, to: f64| Axis { log, ends: Ends::Around, ..Axis::linear(label, from, to) };
         if low > high {
-            return Axis { log, ..Axis::linear(label, if log { 0.1 } else { 0.0 }, 1.0) };
+            return around(if log { 0.1 } else { 0.0 }, 1.0);
         }
         if log {
             let margin = (high / low).powf(0.03).max(1.1);
-            return Axis::log(label, low / margin, high * margin);
+            return around(low / margin, high * margin);
         }
         let margin = if high > low { 0.06 * (high - low) } else { (0.1 * high.abs()).max(1e-9) };
         let from = if low >= 0.0 && low <= 0.3 * high { 0.0 } else { low - margin };
-        Axis::linear(label, from, high + margin)
+        around(from, high + margin)
+    }
+
+    /// The same, longer by a share of its length at its upper end.
+    pub(crate) fn longer(self, share: f64) -> Self {
+        let to = if self.log {
+            self.to * (self.to / self.from).powf(share)
+        } else {
+            self.to + share * (self.to - self.from)
+        };
+        Self { to, ..self }
     }
 
     /// Where a value lies: 0 at the start of the axis, 1 at its end.

@@ -1,12 +1,13 @@
 //! One panel: axes around a frame, and what is drawn inside it.
 
-use super::axis::{Axis, Tick};
+use super::axis::{Axis, Ends, Tick};
 use super::canvas::{Align, Canvas, Dash, Pixel, Stroke};
 use super::drawn::Drawn;
 use super::place::{Frame, Places, clip, clip_area, ribbon};
 use super::style::{colour, size};
 use super::symbol::{Symbol, draw_symbol};
 use plotters::style::RGBColor;
+use std::borrow::Cow;
 
 /// A curve; with a name it stands in the legend.
 #[derive(Clone, Debug)]
@@ -118,6 +119,7 @@ pub struct Panel {
 }
 
 /// A row of the legend.
+#[derive(Clone, Copy)]
 enum Key<'a> {
     Line(&'a Stroke),
     Band(RGBColor),
@@ -131,6 +133,24 @@ const BADGE: f64 = 9.0;
 const THICK: f64 = 4.0;
 /// Room for the sample of a legend row.
 const KEY: f64 = 34.0;
+/// By how much an axis goes on at once for a legend that would lie over a line, over its length, and how often.
+const LONGER: f64 = 0.1;
+const MOST_LONGER: usize = 6;
+
+/// The rows of a legend.
+struct Legend<'a> {
+    rows: Vec<(&'a str, Key<'a>)>,
+    /// Pixels
+    width: f64,
+    /// From row to row, pixels
+    leading: f64,
+}
+
+impl Legend<'_> {
+    fn height(&self) -> f64 {
+        self.rows.len() as f64 * self.leading + 8.0
+    }
+}
 
 impl Panel {
     /// An empty panel without a title.
@@ -154,7 +174,57 @@ impl Panel {
     }
 
     pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
+        let legend = self.legend(canvas)?;
+        let (panel, mut places, at) = self.with_room(legend.as_ref());
+        panel.draw_inside(canvas)?;
+        if let Some((legend, at)) = legend.zip(at) {
+            draw_legend(canvas, &legend, at)?;
+        }
+        panel.marks.iter().filter(|mark| panel.shows(mark.at)).try_for_each(|mark| match &mark.note {
+            Some(note) => draw_note(canvas, &mut places, panel.pixel(mark.at), mark, note),
+            None => Ok(()),
+        })
+    }
+
+    /// The same on a longer axis of y where its legend would lie over a line else, with what is taken of it, and the place of the legend.
+    fn with_room(&self, legend: Option<&Legend<'_>>) -> (Cow<'_, Self>, Places, Option<Frame>) {
+        let of = |panel: &Self| {
+            let mut places = panel.places();
+            let at = legend.map(|legend| places.along_rim(legend.width, legend.height()));
+            (places, at)
+        };
+        let (places, at) = of(self);
+        let covers = |places: &Places, at: &Option<Frame>| at.is_some_and(|at| places.covers(&at));
+        if self.y.ends == Ends::Around && covers(&places, &at) {
+            for share in (1..=MOST_LONGER).map(|times| LONGER * times as f64) {
+                let longer = Self { y: self.y.clone().longer(share), ..self.clone() };
+                let (places, at) = of(&longer);
+                if !covers(&places, &at) {
+                    return (Cow::Owned(longer), places, at);
+                }
+            }
+        }
+        (Cow::Borrowed(self), places, at)
+    }
+
+    /// What lines, faces and marks take.
+    fn places(&self) -> Places {
         let mut places = Places::new(self.frame);
+        for line in &self.lines {
+            clip(&self.pixels(&line.points), &self.frame.grown(1.0)).iter().for_each(|piece| places.add_line(piece));
+        }
+        for (points, _) in self.faces.iter().flat_map(|face| &face.lines) {
+            places.add_line(&self.pixels(points));
+        }
+        for mark in self.marks.iter().filter(|mark| mark.symbol != Symbol::None && self.shows(mark.at)) {
+            let (x, y) = self.pixel(mark.at);
+            places.add_spot(Frame { left: x, top: y, right: x, bottom: y }.grown(5.0));
+        }
+        places
+    }
+
+    /// All but the legend and the notes.
+    fn draw_inside(&self, canvas: &Canvas<'_>) -> Drawn {
         for band in &self.bands {
             let (a, b) = (self.pixel((band.from, self.y.from)), self.pixel((band.to, self.y.to)));
             let (left, right) =
@@ -172,38 +242,22 @@ impl Panel {
         }
         for line in &self.lines {
             let points = self.pixels(&line.points);
-            let is_thick = line.stroke.width > THICK && line.stroke.dash == Dash::Solid;
-            if is_thick {
+            if line.stroke.width > THICK && line.stroke.dash == Dash::Solid {
                 canvas.area(&clip_area(&ribbon(&points, line.stroke.width), &self.frame), line.stroke.colour, 1.0)?;
-            }
-            for piece in clip(&points, &self.frame.grown(1.0)) {
-                if !is_thick {
+            } else {
+                for piece in clip(&points, &self.frame.grown(1.0)) {
                     canvas.line(&piece, &line.stroke)?;
                 }
-                places.add_line(&piece);
             }
         }
         for Face { shape, lines } in &self.faces {
             canvas.area(&self.pixels(&shape.corners), shape.colour, shape.opacity)?;
             for (points, stroke) in lines {
-                let points = self.pixels(points);
-                canvas.line(&points, stroke)?;
-                places.add_line(&points);
+                canvas.line(&self.pixels(points), stroke)?;
             }
         }
-        let marks: Vec<&Mark> = self.marks.iter().filter(|m| self.shows(m.at)).collect();
-        for mark in &marks {
-            let at = self.pixel(mark.at);
-            draw_symbol(canvas, mark.symbol, at, mark.colour)?;
-            if mark.symbol != Symbol::None {
-                places.add_spot(Frame { left: at.0, top: at.1, right: at.0, bottom: at.1 }.grown(5.0));
-            }
-        }
-        self.draw_legend(canvas, &mut places)?;
-        marks.iter().try_for_each(|mark| match &mark.note {
-            Some(note) => draw_note(canvas, &mut places, self.pixel(mark.at), mark, note),
-            None => Ok(()),
-        })
+        let shown = self.marks.iter().filter(|mark| self.shows(mark.at));
+        shown.into_iter().try_for_each(|mark| draw_symbol(canvas, mark.symbol, self.pixel(mark.at), mark.colour))
     }
 
     fn draw_axes(&self, canvas: &Canvas<'_>) -> Drawn {
@@ -242,7 +296,8 @@ impl Panel {
         canvas.line(&rim, stroke)
     }
 
-    fn draw_legend(&self, canvas: &Canvas<'_>, places: &mut Places) -> Drawn {
+    /// What has a name.
+    fn legend(&self, canvas: &Canvas<'_>) -> Drawn<Option<Legend<'_>>> {
         let lines = self.lines.iter().map(|l| (&l.name, Key::Line(&l.stroke)));
         let marks = self.marks.iter().map(|m| match m.note.as_ref().and_then(|note| note.badge) {
             Some(number) if m.symbol == Symbol::Dot => (&m.name, Key::Badge(number, m.colour)),
@@ -256,32 +311,32 @@ impl Panel {
                 rows.push((name, key));
             }
         }
-        if rows.is_empty() {
-            return Ok(());
-        }
         let mut widest: f64 = 0.0;
         for (name, _) in &rows {
             widest = widest.max(canvas.length(name, size::TEXT)?);
         }
         let numbered = rows.iter().any(|row| matches!(row.1, Key::Badge(..)));
         let leading = if numbered { 2.0 * BADGE + 3.0 } else { size::LEADING };
-        let place = places.along_rim(KEY + widest + 14.0, rows.len() as f64 * leading + 8.0);
-        canvas.area(&place.corners(), plotters::style::WHITE, 0.85)?;
-        for (i, (name, key)) in rows.iter().enumerate() {
-            let (left, y) = (place.left + 6.0, place.top + 4.0 + (i as f64 + 0.5) * leading);
-            match key {
-                Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY - 8.0, y)], stroke)?,
-                Key::Mark(symbol, colour) => draw_symbol(canvas, *symbol, (left + 0.5 * KEY - 4.0, y), *colour)?,
-                Key::Badge(number, colour) => draw_badge(canvas, *number, (left + 0.5 * KEY - 4.0, y), *colour)?,
-                Key::Band(colour) => {
-                    let swatch = Frame { left, top: y - 6.0, right: left + KEY - 8.0, bottom: y + 6.0 };
-                    canvas.area(&swatch.corners(), *colour, 0.25)?;
-                }
-            }
-            canvas.text(name, (left + KEY, y), size::TEXT, colour::INK, Align::Left)?;
-        }
-        Ok(())
+        Ok((!rows.is_empty()).then_some(Legend { rows, width: KEY + widest + 14.0, leading }))
     }
+}
+
+fn draw_legend(canvas: &Canvas<'_>, legend: &Legend<'_>, place: Frame) -> Drawn {
+    canvas.area(&place.corners(), plotters::style::WHITE, 0.85)?;
+    for (i, (name, key)) in legend.rows.iter().enumerate() {
+        let (left, y) = (place.left + 6.0, place.top + 4.0 + (i as f64 + 0.5) * legend.leading);
+        match key {
+            Key::Line(stroke) => canvas.line(&[(left, y), (left + KEY - 8.0, y)], stroke)?,
+            Key::Mark(symbol, colour) => draw_symbol(canvas, *symbol, (left + 0.5 * KEY - 4.0, y), *colour)?,
+            Key::Badge(number, colour) => draw_badge(canvas, *number, (left + 0.5 * KEY - 4.0, y), *colour)?,
+            Key::Band(colour) => {
+                let swatch = Frame { left, top: y - 6.0, right: left + KEY - 8.0, bottom: y + 6.0 };
+                canvas.area(&swatch.corners(), *colour, 0.25)?;
+            }
+        }
+        canvas.text(name, (left + KEY, y), size::TEXT, colour::INK, Align::Left)?;
+    }
+    Ok(())
 }
 
 fn draw_badge(canvas: &Canvas<'_>, number: usize, centre: Pixel, colour: RGBColor) -> Drawn {
@@ -379,6 +434,23 @@ mod tests {
         let ticks = fitting(axis, length, 70.0, extent).unwrap();
         assert_eq!(touching(axis, length, &ticks, &extent).unwrap(), None, "{ticks:?}");
         ticks.into_iter().filter_map(|tick| tick.text).collect()
+    }
+
+    /// Lines from edge to edge: a legend has room above them alone, where the axis may go on.
+    #[test]
+    fn a_legend_lies_over_no_line_where_the_axis_may_go_on() {
+        let values = || (0..=20).map(f64::from);
+        let full = |y: Axis| {
+            let lines = values().map(|at| Line::plain(vec![(0.0, at), (20.0, at)], Stroke::solid(colour::INK, 1.0)));
+            Panel { lines: lines.collect(), ..Panel::new(Frame::column(0, 2), Axis::around("u", values(), false), y) }
+        };
+        let legend = Legend { rows: vec![("law", Key::Band(colour::INK)); 5], width: 120.0, leading: 16.0 };
+        let around = full(Axis::around("P", values(), false));
+        let (panel, places, at) = around.with_room(Some(&legend));
+        assert!(panel.y.to > around.y.to && panel.y.from == around.y.from && !places.covers(&at.unwrap()));
+        let fixed = full(Axis::linear("P", around.y.from, around.y.to));
+        let (panel, places, at) = fixed.with_room(Some(&legend));
+        assert!(panel.y == fixed.y && places.covers(&at.unwrap()));
     }
 
     #[test]

@@ -115,6 +115,12 @@ impl Places {
         self.take(tries.collect())
     }
 
+    /// Whether a block lies over a line or a spot.
+    pub fn covers(&self, block: &Frame) -> bool {
+        let spots = self.taken.iter().any(|taken| taken != block && block.shared(taken) > 0.0);
+        spots || self.ink.iter().any(|&p| block.holds(p))
+    }
+
     /// Takes a place near `at` for a block.
     pub fn beside(&mut self, at: Pixel, width: f64, height: f64) -> Frame {
         let mut tries = self.around(at, width, height, &DISTANCES[..NEARBY]);

@@ -15,6 +15,8 @@ use std::path::{Path, PathBuf};
 /// Curves in a panel, and points of each.
 const CURVES: usize = 5;
 const POINTS: usize = 240;
+/// A branch that is shorter than this share of the other one cannot be seen.
+const SHORT: f64 = 0.1;
 
 /// Draws `tip_law.svg` and `tip_law.png` into `dir`: the normal force at several rotations, and beside it at several v, or the moment where the pad slides.
 ///
@@ -25,15 +27,21 @@ pub fn draw_tip_law<'h>(
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let range = &table.options.range;
-    let rotations: Vec<(TipPlace, String)> = spread(range.rotation)
-        .map(|rotation| (TipPlace { rotation, ..TipPlace::default() }, format!("θ = {} rad", significant(rotation, 2))))
+    let rotations: Vec<Place> = spread(range.rotation)
+        .map(|rotation| {
+            (TipPlace { rotation, ..TipPlace::default() }, Some(format!("θ = {} rad", significant(rotation, 2))))
+        })
         .collect();
-    let force = |index: usize, places: &[(TipPlace, String)]| panel(table, index, places, 0, "normal force P (nN)");
+    let force = |index: usize, places: &[Place]| panel(table, index, places, 0, "normal force P (nN)");
     let second = match table.options.pad_end {
-        PadEnd::Sliding => panel(table, 1, &rotations, 2, "moment M (nN nm)"),
+        // the legend of the first panel is that of both
+        PadEnd::Sliding => {
+            let unnamed: Vec<Place> = rotations.iter().map(|(place, _)| (*place, None)).collect();
+            panel(table, 1, &unnamed, 2, "moment M (nN nm)")
+        }
         PadEnd::Held => {
             let lateral = spread(range.lateral).map(|lateral| {
-                (TipPlace { lateral, ..TipPlace::default() }, format!("v = {} nm", significant(lateral, 2)))
+                (TipPlace { lateral, ..TipPlace::default() }, Some(format!("v = {} nm", significant(lateral, 2))))
             });
             force(1, &lateral.collect::<Vec<_>>())
         }
@@ -47,9 +55,12 @@ fn spread([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
     (0..CURVES).map(move |k| from + (to - from) * k as f64 / (CURVES - 1) as f64)
 }
 
-fn panel(table: &TipTable, index: usize, places: &[(TipPlace, String)], component: usize, label: &str) -> Panel {
-    let mut lines = Vec::new();
-    let mut marks = Vec::new();
+/// Where a curve is drawn, and its name in the legend.
+type Place = (TipPlace, Option<String>);
+
+fn panel(table: &TipTable, index: usize, places: &[Place], component: usize, label: &str) -> Panel {
+    let (mut lines, mut marks) = (Vec::new(), Vec::new());
+    let mut is_named = false;
     for (k, (place, name)) in places.iter().enumerate() {
         let shade = order_shade(k, places.len());
         let attached = curve(&table.attached, *place, component);
@@ -57,17 +68,28 @@ fn panel(table: &TipTable, index: usize, places: &[(TipPlace, String)], componen
             at,
             symbol: Symbol::Diamond,
             colour: colour::VERMILLION,
-            name: Some("snaps off".to_owned()),
+            name: name.as_ref().map(|_| "snaps off".to_owned()),
             note: None,
         }));
-        lines.push(Line { points: attached, stroke: Stroke::solid(shade, 1.8), name: Some(name.clone()) });
+        let far = width(&attached);
+        lines.push(Line { points: attached, stroke: Stroke::solid(shade, 1.8), name: name.clone() });
         let detached = curve(table.sheet(TipSheet::Detached), *place, component);
-        lines.push(Line::plain(detached, Stroke::dotted(shade, 1.6)));
+        // a table that ends where the tip lets go has no more than a dot of it
+        if width(&detached) > SHORT * far {
+            let name = (name.is_some() && !is_named).then(|| "detached".to_owned());
+            is_named = true;
+            lines.push(Line { points: detached, stroke: Stroke::dotted(shade, 1.6), name });
+        }
     }
     let all = || lines.iter().flat_map(|line| line.points.iter());
     let x = Axis::around("displacement u (nm)", all().map(|at| at.0), false);
     let y = Axis::around(label, all().map(|at| at.1), false);
     Panel { lines, marks, ..Panel::new(Frame::column(index, 2), x, y) }
+}
+
+/// How far a curve goes in x.
+fn width(curve: &[(f64, f64)]) -> f64 {
+    curve.first().zip(curve.last()).map_or(0.0, |(first, last)| (last.0 - first.0).abs())
 }
 
 /// A component of the forces along a branch.
