@@ -256,8 +256,8 @@ impl Panel {
                 canvas.line(&self.pixels(points), stroke)?;
             }
         }
-        let shown = self.marks.iter().filter(|mark| self.shows(mark.at));
-        shown.into_iter().try_for_each(|mark| draw_symbol(canvas, mark.symbol, self.pixel(mark.at), mark.colour))
+        let mut shown = self.marks.iter().filter(|mark| self.shows(mark.at));
+        shown.try_for_each(|mark| draw_symbol(canvas, mark.symbol, self.pixel(mark.at), mark.colour))
     }
 
     fn draw_axes(&self, canvas: &Canvas<'_>) -> Drawn {

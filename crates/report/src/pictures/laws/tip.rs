@@ -60,7 +60,6 @@ type Place = (TipPlace, Option<String>);
 
 fn panel(table: &TipTable, index: usize, places: &[Place], component: usize, label: &str) -> Panel {
     let (mut lines, mut marks) = (Vec::new(), Vec::new());
-    let mut is_named = false;
     for (k, (place, name)) in places.iter().enumerate() {
         let shade = order_shade(k, places.len());
         let attached = curve(&table.attached, *place, component);
@@ -76,8 +75,7 @@ fn panel(table: &TipTable, index: usize, places: &[Place], component: usize, lab
         let detached = curve(table.sheet(TipSheet::Detached), *place, component);
         // a table that ends where the tip lets go has no more than a dot of it
         if width(&detached) > SHORT * far {
-            let name = (name.is_some() && !is_named).then(|| "detached".to_owned());
-            is_named = true;
+            let name = name.as_ref().map(|_| "detached".to_owned());
             lines.push(Line { points: detached, stroke: Stroke::dotted(shade, 1.6), name });
         }
     }
