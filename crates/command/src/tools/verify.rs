@@ -22,7 +22,9 @@ pub struct Verify {
     #[arg(long, conflicts_with = "only")]
     hard: bool,
 
-    /// Checks one part of N: 1/3; the topics, or the hard scenes, are dealt out in turn
+    /// Checks one part of N, like 1/3
+    ///
+    /// The topics, or the hard scenes, are dealt out in turn.
     #[arg(long, value_name = "I/N", conflicts_with_all = ["only", "sample"])]
     part: Option<Part>,
 
