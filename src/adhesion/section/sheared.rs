@@ -1,6 +1,6 @@
 //! A cohesive law that holds along the ground as well: one potential of opening and slip.
 //!
-//! A point of the bonded face that lay at X(S) on the ground has slipped by t = x + (h/2) sin θ - X(S). What pulls an open face, of
+//! A point of the bonded face that lay at X(S) on the ground has slipped by t = x + (h/2) sin θ - X(S). The traction of an open face, of
 //! [`super::cohesive`], loses its hold with the slip, and what repels a pressed one does not:
 //!
 //!   Ψ(x, y, θ) = Ψ_pull(y, θ) B(t) + Ψ_push(y, θ),   B(t) = exp(-t²/δ_t²).

@@ -19,7 +19,7 @@ use std::fmt;
 
 /// A section with a smaller |cos θ| is upright, where a path cannot be continued.
 const UPRIGHT: f64 = 1e-3;
-/// To either side of upright: where a corner is told from a curve.
+/// To either side of upright: where a corner is distinguished from a curve.
 const BESIDE: f64 = 1e-9;
 /// A jump of the line moment below this share of the work of adhesion per length holds nothing.
 const WEAK: f64 = 1e-2;

@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub enum TipBranch {
     /// It adheres, and its force grows as it is pulled.
     Attached,
-    /// It adheres, and its force falls as it is pulled on: stable as long as what pulls it is stiffer. The same branch of the law.
+    /// It adheres, and its force falls as it is pulled on: stable as long as the grip is stiffer. The same branch of the law.
     Detaching,
     /// It does not adhere.
     Detached,

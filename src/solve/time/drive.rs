@@ -86,7 +86,7 @@ mod tests {
     use super::*;
     use approx::assert_abs_diff_eq;
 
-    /// Value, rate and acceleration are derivatives of one another everywhere, and it goes where it is told to.
+    /// Value, rate and acceleration are derivatives of one another everywhere, and it goes where it is sent.
     #[test]
     fn a_ramp_is_smooth_and_arrives() {
         let ramp = Ramp::new(3.0, -2.0, 0.7, 0.2);

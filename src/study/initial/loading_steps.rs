@@ -235,7 +235,7 @@ impl LoadingSequence {
         Err(LoadingError::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
     }
 
-    /// Lets the problem begin in a solution, whose displacement is told in this unit, on twice as many elements and a mesh that is fine at
+    /// Lets the problem begin in a solution, whose displacement is given in this unit, on twice as many elements and a mesh that is fine at
     /// its front.
     fn lead(
         &self,

@@ -1,4 +1,4 @@
-//! What pulls that are no peel of a beam in equilibrium have in common: of a solid, of a seta, of an array, and at a rate.
+//! The common part of all pulls that are not the peel of a beam in equilibrium: of a solid, of a seta, of an array, and at a rate.
 
 pub(crate) mod numbers;
 pub(crate) mod rate;

@@ -1,4 +1,4 @@
-//! What pulls at a rate have in common: the pull of a beam, or of a seta, as far as it goes.
+//! The common part of pulls at a rate: the pull of a beam, or of a seta, as far as it goes.
 
 use crate::pulls::seta::Setae;
 use peelkit::model::SetaModel;

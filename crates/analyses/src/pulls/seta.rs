@@ -156,7 +156,7 @@ impl Setae {
         }
     }
 
-    /// Computes the law of the tips, so that it is there; what is wrong with it is told where it is asked for.
+    /// Computes the law of the tips, so that it is there; a fault of it is reported where it is asked for.
     pub fn prepare(&self, scene: &Scene, stop: &StopCriteria) {
         let Some(table) = &scene.seta else { return };
         let _ = match table.tip_law {

@@ -59,7 +59,7 @@ fn refuse_branch(scene: &Scene, asked: Asked) -> Result<(), Refusal> {
     })
 }
 
-/// Refuses a scene that has no displacement-controlled test before its path is computed. What is wrong with its model is told with its path.
+/// Refuses a scene that has no displacement-controlled test before its path is computed. A fault of its model is reported with its path.
 fn refuse_test(scene: &Scene) -> Result<(), Refusal> {
     match study::no_test(&scene.model, &scene.accuracy) {
         None | Some(NoTest::Model(_)) => Ok(()),

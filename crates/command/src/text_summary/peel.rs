@@ -296,7 +296,7 @@ fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str,
     peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
 }
 
-/// Where the model is not to be trusted; sharp ground is told with the ground.
+/// Where the model is not to be trusted; sharp ground is reported with the ground.
 fn warnings(peel: &Peel) -> Vec<(&'static str, String)> {
     let all = peel.warnings().into_iter().filter(|warning| warning.kind != WarningKind::SharpGround);
     all.enumerate().map(|(index, warning)| (if index == 0 { "warnings" } else { "" }, warning.to_string())).collect()
@@ -485,7 +485,7 @@ fn end(end: &PathEnd) -> String {
     let meaning = match end {
         PathEnd::Detached => "no point of the strip is nearer than the adhesion acts",
         PathEnd::Pivoting => "the force has returned to zero, and the strip is still in edge contact",
-        PathEnd::Pushing => "behind the snap-off the grip pushes, and the force does not return to zero",
+        PathEnd::Pushing => "beyond the snap-off the grip pushes, and the force does not return to zero",
         PathEnd::TurnedBack => "u has returned to 0",
         PathEnd::BackInPlane => "the strip has come back into its plane, on the planar path",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",

@@ -1,4 +1,4 @@
-//! What a checkpoint is of: the first of its frames. It is compared byte by byte, and where it is another one the first difference is told.
+//! What a checkpoint is of: the first of its frames. It is compared byte by byte, and where it is another one the first difference is reported.
 
 use crate::records::summary::{VERSION, parameters};
 use crate::writing::error::ReportError;
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::Path;
 
-/// In the order in which differences are told.
+/// In the order in which differences are reported.
 #[derive(Serialize)]
 struct Header<'h> {
     analysis: &'static str,

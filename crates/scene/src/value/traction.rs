@@ -113,7 +113,7 @@ mod tests {
         }
     }
 
-    /// By the lines of the text, where remarks count; the first fault is told.
+    /// By the lines of the text, where remarks count; the first fault is reported.
     #[test]
     fn what_is_wrong_is_told_with_its_line() {
         let refused =

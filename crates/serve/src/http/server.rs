@@ -103,7 +103,7 @@ impl Server {
             // with it goes its share of what is open
             let _ = accepting.await;
             if let Some(open) = Arc::into_inner(open) {
-                // whoever waits for a run is told that it ends; who does not read that is left
+                // whoever waits for a run gets the message that it ends; who does not read that is left
                 let _ = tokio::time::timeout(LAST_ANSWERS, open.shutdown()).await;
             }
             Ok(())
@@ -129,7 +129,7 @@ async fn accept(listener: tokio::net::TcpListener, routes: Router, limits: Limit
     }
 }
 
-/// Answers the requests of one connection. Where it is closed before an answer is there, the run of that is told to end.
+/// Answers the requests of one connection. Where it is closed before an answer is there, its run is asked to end.
 async fn answer(stream: TcpStream, routes: Router, busy: Busy, limits: Limits, open: Watcher) {
     let routes = TowerToHyperService::new(routes);
     let service = service_fn(move |request: Request<Incoming>| {

@@ -82,7 +82,7 @@ impl Runs {
         self.places.close();
     }
 
-    /// Does work on a thread of its own as soon as there is a place. Where this is dropped before, the work is not begun or is told to end.
+    /// Does work on a thread of its own as soon as there is a place. Where this is dropped before, the work is not begun or is asked to end.
     ///
     /// Fails where too many wait, where the server is ending, and where the work panics.
     pub async fn run<T: Send + 'static>(&self, work: impl FnOnce(&RunEnd) -> T + Send + 'static) -> Result<T, Refusal> {

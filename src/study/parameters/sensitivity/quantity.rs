@@ -39,7 +39,7 @@ pub enum PeelQuantity {
     LargestForce,
     /// Its displacement, nm
     LargestForceDisplacement,
-    /// Of what pulls a seta, or a beam at a rate, to the end, aJ
+    /// Of the pull of a seta, or of a beam at a rate, to the end, aJ
     Work,
 }
 

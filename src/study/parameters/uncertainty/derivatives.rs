@@ -86,7 +86,7 @@ fn first_order(plan: &Plan, of: &SampledPeel, inputs: &[f64]) -> Option<Vec<Opti
         let model = of.model;
         let base = base.clone();
         let inputs = inputs.to_vec();
-        // a step out of the range of the input is told of by a model that does not change
+        // a model that does not change reveals a step out of the range of the input
         Variation::new(plan.inputs[input].name.clone(), move |x| {
             model(&moved(&inputs, input, x * scale(input))).unwrap_or_else(|_| base.clone())
         })

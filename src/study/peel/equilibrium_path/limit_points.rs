@@ -34,7 +34,7 @@ struct Candidate {
 }
 
 /// Drops pairs of neighbouring load turns between which the force changes by less than `relative` of itself, the smallest
-/// change first. Which of three turns on one level is left hangs on round-off: it is told what was dropped beside it.
+/// change first. Which of three turns on one level is left hangs on round-off: it is given what was dropped beside it.
 fn without_ripple(candidates: Vec<Candidate>, relative: f64) -> Vec<Candidate> {
     let (mut loads, mut kept): (Vec<_>, Vec<_>) = candidates.into_iter().partition(|c| c.turn == LimitPointKind::Load);
     let change = |pair: &[Candidate]| (pair[1].value - pair[0].value).abs() / pair[0].value.abs();

@@ -105,7 +105,7 @@ fn ending(end: &PathEnd) -> String {
     match end {
         PathEnd::Detached => "ends with the strip detached".into(),
         PathEnd::Pivoting => "ends where the force has returned to zero, still in edge contact at the left end".into(),
-        PathEnd::Pushing => "ends behind its snap-off, where the grip pushes".into(),
+        PathEnd::Pushing => "ends beyond its snap-off, where the grip pushes".into(),
         PathEnd::TurnedBack => "ends with the strip re-adhered: u has returned to 0".into(),
         PathEnd::Sliding => "ends with the whole contact sliding".into(),
         PathEnd::Snapped => "ends with the snap-off".into(),
