@@ -8,6 +8,9 @@ use serde::{Deserialize, Serialize};
 const NOTICED: f64 = 1e-3;
 /// The least value that measures one by what is left of it, over its scale.
 const LEAST: f64 = 1e-9;
+/// Least changes of displacement and force that measure a path, over their values: where a long tape hangs by its edge both turn at once, and steps
+/// that are measured by less than that of the displacement never see the front pass the fold.
+const OF_VALUE: f64 = 1e-7;
 /// Changes that are noticed on a cusp, over those that are elsewhere.
 const ON_CUSP: f64 = 1e-2;
 
@@ -64,11 +67,12 @@ impl Metric {
         segment: impl Iterator<Item = &'a Observables>,
     ) -> Self {
         let measure = &problem.measure;
+        let least = |value: f64, scale: f64| (NOTICED * scale).max(OF_VALUE * value.abs());
         let mut metric = Self {
             monitors: std::array::from_fn(|k| notice.least(newest.monitors[k], measure.monitors[k])),
-            force: NOTICED * measure.force_scale(),
+            force: least(newest.force, measure.force_scale()),
             roll: NOTICED * measure.roll_scale(),
-            displacement: NOTICED * problem.grip.displacement_scale(),
+            displacement: least(newest.displacement, problem.grip.displacement_scale()),
         };
         let mut before: Option<&Observables> = None;
         for here in segment {
