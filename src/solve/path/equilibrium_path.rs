@@ -115,10 +115,10 @@ impl<'p> Path<'p> {
         self.iterations
     }
 
-    fn newton(&self, tries: usize) -> NewtonOptions {
+    fn newton(&self) -> NewtonOptions {
         let PathOptions { tolerance, pace, .. } = self.options;
-        // next to a branch the tangent turns with the least error, and where a step has been refused the path bends
-        let exact_slope = self.branch.is_some() || pace == Pace::Watchful || tries > 0;
+        // next to a branch the tangent turns with the least error
+        let exact_slope = self.branch.is_some() || pace == Pace::Watchful;
         NewtonOptions { tolerance, largest_update: 0.5, most_iterations: 9, exact_slope }
     }
 
@@ -154,9 +154,9 @@ impl<'p> Path<'p> {
         let target = weights.displacement * self.problem.displacement(&start);
         let constraint = PathConstraint { weights, target };
         let solved = if self.problem.start.settles() {
-            settled(self.problem, start, &constraint, &self.newton(0), &mut self.ws)
+            settled(self.problem, start, &constraint, &self.newton(), &mut self.ws)
         } else {
-            solve(self.problem, start, &constraint, &self.newton(0), &mut self.ws)
+            solve(self.problem, start, &constraint, &self.newton(), &mut self.ws)
         };
         solved.inspect(|s| self.iterations += s.iterations).map_err(|cause| self.stopped(1, cause))
     }
@@ -205,7 +205,7 @@ impl<'p> Path<'p> {
             }
             let constraint = PathConstraint { weights, target: weights.dot(&newest.observables) + step };
             self.ws.set_pace(if tries >= WARY { self.options.pace } else { Pace::Quick });
-            match solve(self.problem, start, &constraint, &self.newton(tries), &mut self.ws) {
+            match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
                 Ok(next) => {
                     self.iterations += next.iterations;
                     let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
@@ -249,7 +249,7 @@ impl<'p> Path<'p> {
     /// of itself. Where the pace is not quick the point is replaced by what it is solved to: it may have been no equilibrium.
     fn again(&mut self, point: &Solution, weights: &Observables) -> Result<Observables, SolveError> {
         let constraint = PathConstraint { weights: *weights, target: weights.dot(&point.observables) };
-        let exact = NewtonOptions { exact_slope: true, ..self.newton(0) };
+        let exact = NewtonOptions { exact_slope: true, ..self.newton() };
         self.ws.set_pace(Pace::Quick);
         let solution = match self.options.pace {
             Pace::Quick => solve(self.problem, point.at.clone(), &constraint, &exact, &mut self.ws)?,

@@ -3,7 +3,7 @@
 use crate::chart::RGBColor;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::panel::{Line, Mark, Panel};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
@@ -24,13 +24,13 @@ const RIGHT: f64 = WIDTH as f64 - 18.0;
 /// Fails where a file cannot be written ([`ReportError::Write`]).
 pub fn draw_fit(of: &FitReport, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
     let (fit, units) = (of.fit, of.scene.units);
-    let mut files = save(&curves(of).in_units(units), dir, "fit")?;
+    let mut pictures = vec![(curves(of).in_units(units), "fit")];
     let profiles: Vec<_> =
         fit.parameters.iter().filter_map(|parameter| Some((parameter, parameter.profile.as_ref()?))).collect();
     if !profiles.is_empty() {
-        files.extend(save(&of_profiles(&profiles, &of.scene.title).in_units(units), dir, "profiles")?);
+        pictures.push((of_profiles(&profiles, &of.scene.title).in_units(units), "profiles"));
     }
-    Ok(files)
+    save_all(&pictures, dir)
 }
 
 fn curves(of: &FitReport) -> Picture {

@@ -3,7 +3,7 @@
 use super::curve::{add_branch, curve_picture, limit_at, mark_loss, nearest_to};
 use super::shapes::posed::{Posed, shapes_picture};
 use crate::chart::marked::{Marked, mark_found};
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::picture::{Heading, Picture};
 use crate::pictures::shapes::in_space;
 use crate::writing::error::ReportError;
@@ -55,9 +55,8 @@ pub fn draw_peel_with_branch<'h>(
         add_branch(&mut picture, branch);
     }
     mark_found(&mut picture.panels, marked);
-    let mut files = save(&picture, dir, "curve")?;
-    files.extend(save(&shapes(peel, &numbered, heading, &dir.join("shapes.svg"))?, dir, "shapes")?);
-    Ok(files)
+    let shapes = shapes(peel, &numbered, heading, &dir.join("shapes.svg"))?;
+    save_all(&[(picture, "curve"), (shapes, "shapes")], dir)
 }
 
 /// The text of curve.svg, without the numbers of deformed shapes and without a stability out of the plane.

@@ -3,7 +3,7 @@
 use crate::chart::RGBColor;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::{Dash, Stroke};
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::panel::{Band, Line, Panel, Shape};
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
@@ -39,14 +39,14 @@ pub fn draw_uncertainty<'h>(
     dir: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let Heading { title, units } = heading.into();
-    let mut files = Vec::new();
+    let mut pictures = Vec::new();
     for number in &analysis.numbers {
         let Some(statistics) = number.statistics.as_ref().filter(|of| of.largest > of.smallest) else { continue };
         let stem = number.of.name().replace('.', "-");
-        let stem = stem.rsplit_once('_').map_or(stem.as_str(), |(name, _)| name);
-        files.extend(save(&picture(analysis, number, statistics, title).in_units(units), dir, stem)?);
+        let stem = stem.rsplit_once('_').map_or(stem.as_str(), |(name, _)| name).to_owned();
+        pictures.push((picture(analysis, number, statistics, title).in_units(units), stem));
     }
-    Ok(files)
+    save_all(&pictures, dir)
 }
 
 fn picture(analysis: &Analysis, number: &NumberAnalysis, statistics: &Statistics, title: &str) -> Picture {

@@ -3,7 +3,7 @@
 use super::tables::curve;
 use crate::chart::axis::{Axis, with_unit};
 use crate::chart::canvas::Stroke;
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::panel::{Line, Mark, Panel, Shape};
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
@@ -59,10 +59,9 @@ pub fn draw_array<'h>(
     panel.marks.push(Mark::labelled(scaled((peak.lift, peak.load)), colour::INK, &["peak", &value]));
     panel.title =
         format!("{} events of {} setae; blue: the lift only grows, grey: every event", pull.events.len(), pull.setae);
-    let mut files = save(&Picture::of(title, vec![panel]).in_units(units), dir, "curve")?;
     let shared = if table.patch.is_some() { map(pull, units) } else { rows(table, pull, peak.load) };
-    files.extend(save(&Picture::of(title, vec![shared]), dir, "sharing")?);
-    Ok(files)
+    let curve = Picture::of(title, vec![panel]).in_units(units);
+    save_all(&[(curve, "curve"), (Picture::of(title, vec![shared]), "sharing")], dir)
 }
 
 /// The panel below two titles.

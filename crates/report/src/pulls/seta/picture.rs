@@ -5,7 +5,7 @@ use super::motion::SetaPose;
 use super::side_view::{MICRO, Window, add_branches, add_tips, panel};
 use super::{curve, names};
 use crate::chart::axis::with_unit;
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
@@ -39,7 +39,8 @@ pub fn draw_pull_off<'h>(
         let reason = format!("the pull-off has {} points", pull_off.points.len());
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
-    let mut files = save(&curve::picture(pull_off, passed, Heading { title: &caption, units }), dir, "curve")?;
+    let heading = Heading { title: &caption, units };
+    let mut pictures = vec![(curve::picture(pull_off, passed, heading), "curve")];
     let moments: Vec<(&str, &SetaState)> = [
         ("first detachment", &pull_off.first_detachment),
         ("peak", &pull_off.peak),
@@ -49,12 +50,12 @@ pub fn draw_pull_off<'h>(
     .filter_map(|(name, state)| Some((name, state.as_ref()?)))
     .collect();
     if !moments.is_empty() {
-        files.extend(save(&maps(&moments, seta, Heading { title: &caption, units }), dir, "tips")?);
+        pictures.push((maps(&moments, seta, heading), "tips"));
     }
     if let Some(state) = pull_off.peak.as_ref().or(pull_off.last.as_ref()) {
-        files.extend(save(&side_views(state, seta, Heading { title: &caption, units }), dir, "seta")?);
+        pictures.push((side_views(state, seta, heading), "seta"));
     }
-    Ok(files)
+    save_all(&pictures, dir)
 }
 
 /// Maps of the load of each tip.

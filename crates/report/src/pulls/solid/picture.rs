@@ -4,7 +4,7 @@
 use super::fields::{place, shown};
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
-use crate::chart::output::save;
+use crate::chart::output::save_all;
 use crate::chart::panel::{Line, Mark, Panel, Shape};
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
@@ -37,9 +37,7 @@ pub fn draw_solid<'h>(
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
     let heading = heading.into();
-    let mut files = save(&curve(peel, heading), dir, "curve")?;
-    files.extend(save(&strip(peel, ground, heading), dir, "solid")?);
-    Ok(files)
+    save_all(&[(curve(peel, heading), "curve"), (strip(peel, ground, heading), "solid")], dir)
 }
 
 fn curve(peel: &SolidPeel, Heading { title, units }: Heading) -> Picture {
