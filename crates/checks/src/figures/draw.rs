@@ -71,10 +71,10 @@ pub fn draw_figures(
     part: Option<Part>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let groups = || GROUPS.iter().enumerate().filter(|(i, _)| part.is_none_or(|part| part.has(*i)));
-    let runner = Runner::new(groups().map(|(_, group)| group.peels).sum(), progress);
+    let groups = || Part::chosen(part, GROUPS);
+    let runner = Runner::new(groups().map(|group| group.peels).sum(), progress);
     let mut figures = Vec::new();
-    for (_, group) in groups() {
+    for group in groups() {
         figures.extend((group.draw)(&runner, dir)?);
     }
     // Where the largest work needed no refinement fewer peels were run than planned.

@@ -128,7 +128,7 @@ type Suite = Box<dyn Fn() -> Vec<Check>>;
 
 fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
     if args.hard {
-        let scenes = in_part(args, hard_scenes()?);
+        let scenes: Vec<_> = Part::chosen(args.part, hard_scenes()?).collect();
         return Ok(vec![Box::new(move || hard::run(&scenes))]);
     }
     let names = &args.only;
@@ -137,12 +137,6 @@ fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
         return Err(Stop::bad_input(format!("--only {name} is no topic"), format!("topics: {}", known.join(", "))));
     }
     let wanted = |topic: &&Topic| names.is_empty() || names.iter().any(|name| name == topic.name);
-    let topics = in_part(args, TOPICS.iter().filter(wanted).collect());
-    Ok(topics.into_iter().map(|topic| Box::new(|| topic.run()) as Suite).collect())
-}
-
-/// Those of the part that is wanted.
-fn in_part<T>(args: &Verify, all: Vec<T>) -> Vec<T> {
-    let numbered = all.into_iter().enumerate();
-    numbered.filter(|(number, _)| args.part.is_none_or(|part| part.has(*number))).map(|(_, one)| one).collect()
+    let topics = Part::chosen(args.part, TOPICS.iter().filter(wanted));
+    Ok(topics.map(|topic| Box::new(|| topic.run()) as Suite).collect())
 }

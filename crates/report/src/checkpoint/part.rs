@@ -36,6 +36,12 @@ impl Part {
     pub fn with_case(case: usize, of: usize) -> Self {
         Self { index: case % of + 1, of }
     }
+
+    /// Those of the cases that a part has; all of them where no part is asked for.
+    pub fn chosen<T>(part: Option<Self>, cases: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+        let numbered = cases.into_iter().enumerate();
+        numbered.filter(move |(case, _)| part.is_none_or(|part| part.has(*case))).map(|(_, one)| one)
+    }
 }
 
 impl fmt::Display for Part {
