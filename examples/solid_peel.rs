@@ -7,7 +7,7 @@
 
 use peelkit::model::{PeelModel, SolidSettings, StripModel};
 use peelkit::solid::{SolidElement, SolidGrip};
-use peelkit::study::{SolidOptions, peel_solid};
+use peelkit::study::{SolidOptions, StationAt, StationQuantity, StopCriteria, peel_solid};
 use std::error::Error;
 use std::time::Instant;
 
@@ -34,7 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             long.along, long.process_length
         );
     }
-    let options = SolidOptions { stations: STATIONS.to_vec(), ..SolidOptions::default() };
+    let at = |value| StationAt { quantity: StationQuantity::Displacement, value }.into();
+    let stop = StopCriteria { events: STATIONS.map(at).to_vec(), ..StopCriteria::default() };
+    let options = SolidOptions { stop, ..SolidOptions::default() };
     let begun = Instant::now();
     let peel = peel_solid(&model, &settings, &options)?;
     println!(
@@ -61,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     for station in &peel.stations {
-        print!("u = {:4.1} nm  P = {:.6} nN", station.displacement, station.force);
+        print!("u = {:4.1} nm  P = {:.6} nN", station.point.displacement, station.point.force);
         println!("{}", station.force_error.map_or(String::new(), |error| format!("  ± {error:.1e}")));
     }
     println!("it ended: {:?}; left out: {}", peel.end, peel.left_out.len());

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import os
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -169,6 +170,41 @@ class Peel:
         [(quantity, asked)] = value.items()
         text = asked if isinstance(asked, str) else f"{float(asked)!r} {_UNITS.get(quantity, 'nm')}"
         found = json.loads(self._native.stations(f"{quantity}={text}"))
+        if found["missed"]:
+            raise ComputationError(found["missed"][0])
+        return [Station.of(station) for station in found["found"]]
+
+    def where(self, number: Callable[[State], float], value: float = 0.0, passing: str = "=") -> list[Station]:
+        """Return the equilibria at which a number of the fields passes a value, wherever the path passes it.
+
+        Parameters
+        ----------
+        number : callable
+            Takes a :class:`State` of the path, as :meth:`states` returns them, and returns a float.
+        value : float, optional
+            What it passes.
+        passing : str, optional
+            ``">"`` where it rises past the value alone, ``"<"`` where it falls, ``"="`` both.
+
+        Returns
+        -------
+        list of Station
+            In the order of the path, each solved to the accuracy of the scene.
+
+        Raises
+        ------
+        PeelkitError
+            Where `passing` is not known, where the number is not finite, and where an equilibrium could not be computed. What
+            `number` raises is raised.
+
+        Examples
+        --------
+        >>> import peelkit
+        >>> peel = peelkit.Scene.read("scenes/strip-100nm.toml").run()
+        >>> [round(at.displacement, 6) for at in peel.where(lambda state: 2.0 * state.displacement, 60.0)]
+        [30.0, 30.0, 30.0]
+        """
+        found = json.loads(self._native.passed(lambda state: float(number(State._of(state))), value, passing))
         if found["missed"]:
             raise ComputationError(found["missed"][0])
         return [Station.of(station) for station in found["found"]]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
 from . import _native
 from ._native import Scene as NativeScene
 from ._toml import table_text, value_text
-from .errors import ComputationWarning, SceneError, cut_by
+from .errors import ComputationWarning, PeelkitError, SceneError, cut_by
 from .notebook import table
 from .observed import Test
 from .out_of_plane import OutOfPlane
@@ -19,6 +19,7 @@ from .path import Path as EquilibriumPath
 from .peel import Peel
 from .pulls import ArrayPull, PullAtRate, PullOff, SolidPeel
 from .sensitivity import Sensitivity
+from .state import State
 from .tip_law import TipLaw
 
 __all__ = ["Scene"]
@@ -177,13 +178,18 @@ class Scene:
         number = self._native.number(key) if isinstance(value, str) else None
         return value if number is None else number
 
-    def run(self) -> Peel | Any:
+    def run(self, stop_where: Callable[[State], float] | None = None) -> Peel | Any:
         """Compute what the scene describes, as ``peel run`` does.
 
         Of a beam that is the whole path of equilibria, with its limit points and their error bounds. Of a scene with a table
         ``seta`` it is :meth:`pull_off`, with ``time`` :meth:`pull_at_rate`, with ``solid`` :meth:`peel_solid`, with ``setae``
         :meth:`pull_array`: call these where types are checked. A law of the setae that is missing in the folder ``setae.law`` is
         made there first, of the scene ``setae.seta``. The interpreter is released meanwhile, so that other threads run. Ctrl-C stops the computation.
+
+        Parameters
+        ----------
+        stop_where : callable, optional
+            Of a beam: takes a :class:`State` of the path and returns a float; the path ends where that passes zero.
 
         Returns
         -------
@@ -197,6 +203,9 @@ class Scene:
             Where it stopped short, and where a bound of the scene cut the path. A path that was followed as far as
             ``path.until`` asks for is whole.
         """
+        if stop_where is not None and self._native.subject != "peel":
+            found = f"`stop_where` is given, and the scene describes a {self._native.subject}"
+            raise PeelkitError(found, "Give it for a beam alone, or `output.events` in the scene.")
         if self._native.subject == "seta":
             return self._warned(PullOff._of(_native.pull_off(self._native)))
         if self._native.subject == "solid":
@@ -205,7 +214,8 @@ class Scene:
             return self._warned(PullAtRate._of(_native.pull_at_rate(self._native)))
         if self._native.subject == "array":
             return self._warned(ArrayPull._of_array(self._native))
-        return self._warned(Peel(self._native.run(), self))
+        ends = None if stop_where is None else lambda state: float(stop_where(State._of(state)))
+        return self._warned(Peel(self._native.run(ends), self))
 
     @staticmethod
     def _warned(found: _Run) -> _Run:

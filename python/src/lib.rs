@@ -9,6 +9,7 @@ mod columns;
 mod errors;
 mod found;
 mod interrupt;
+mod number;
 mod path;
 mod peel;
 mod rows;

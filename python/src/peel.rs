@@ -4,9 +4,10 @@ use crate::columns::{Column, counts, floats, of_records};
 use crate::errors::{other, refused};
 use crate::found::save;
 use crate::interrupt::Watch;
+use crate::number;
 use crate::scene::{NativeScene, Source};
 use crate::states::{self, NativeState};
-use peelkit::study::{self, Events, PathEnd, Peel, PeelResult, Stations};
+use peelkit::study::{self, Events, Passing, PathEnd, Peel, PeelResult, Stations, StopCriteria};
 use peelkit_analyses::PeelOutcome;
 use peelkit_report::chart::Heading;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
@@ -79,7 +80,7 @@ impl NativePeel {
             _ => scene.bounds.points,
         };
         let bounds = BoundsTable { points, time_s: None, ..scene.bounds };
-        let stop = watch.on(bounds.from_now());
+        let stop = StopCriteria { events: scene.events.clone(), ..watch.on(bounds.from_now()) };
         let peel = py.detach(|| study::peel(&scene.model, &scene.accuracy, &stop));
         watch.end()?;
         if peel.points != self.peel.points {
@@ -186,6 +187,19 @@ impl NativePeel {
         let at = station(text).map_err(|why| refused(py, format!("{text} {}", why.found), &why.remedy))?;
         let peel = self.with_solutions(py)?;
         py.detach(|| peel.stations(at)).to_json().map_err(|error| unwritten(py, "station", error))
+    }
+
+    /// The equilibria at which a Python function of a state passes a value, in a way that counts, as an object of summary.json has events.
+    fn passed(&self, py: Python, function: Py<PyAny>, value: f64, passing: &str) -> PyResult<String> {
+        let signs = Passing::NAMED.map(|named| format!("\"{}\"", named.0)).join(", ");
+        let known = Passing::NAMED.into_iter().find(|named| named.0 == passing);
+        let found = || format!("`passing` is \"{passing}\", which is none of {signs}");
+        let (_, passing) = known.ok_or_else(|| other(py, found(), "Give one of these."))?;
+        let (at, raised) = number::event("where", function, value, passing);
+        let peel = self.with_solutions(py)?;
+        let text = py.detach(|| peel.events(&at)).to_json();
+        raised.end()?;
+        text.map_err(|error| unwritten(py, "station", error))
     }
 
     /// Writes the files of `peel run` to a folder; where each is.

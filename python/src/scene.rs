@@ -3,8 +3,9 @@
 use crate::errors::{refusal, scene_error};
 use crate::found::made;
 use crate::interrupt::Watch;
+use crate::number;
 use crate::peel::NativePeel;
-use peelkit::study::{self, Checkpoint, StopCriteria};
+use peelkit::study::{self, Checkpoint, EventAt, Passing, StopCriteria};
 use peelkit_analyses::MissingLaw;
 use peelkit_report::timed;
 use peelkit_scene::{Described, KEYS, Key, Scene, Value, find_key};
@@ -144,16 +145,21 @@ impl NativeScene {
         self.source.scene.describes().word()
     }
 
-    /// The whole peel, computed without the interpreter.
-    fn run(&self, py: Python) -> PyResult<NativePeel> {
+    /// The whole peel, computed without the interpreter: up to where a Python function of a state passes zero, if it is given.
+    #[pyo3(signature = (stop_where=None))]
+    fn run(&self, py: Python, stop_where: Option<Py<PyAny>>) -> PyResult<NativePeel> {
         let scene = self.source.of_peel(py)?;
         let (source, watch) = (self.source.clone(), Watch::begin());
+        let (event, raised) =
+            stop_where.map(|function| number::event("stop_where", function, 0.0, Passing::Either)).unzip();
+        let event = event.map(EventAt::stopping);
         let (peel, solve_s) = py.detach(|| {
-            let events = scene.events.clone();
+            let events = scene.events.iter().cloned().chain(event).collect();
             let stop = StopCriteria { events, ..watch.on(scene.bounds.from_now()) };
             timed(|| study::peel_on(&scene.model, &scene.accuracy, &stop, &Checkpoint::NOTHING))
         });
         watch.end()?;
+        raised.map_or(Ok(()), |raised| raised.end())?;
         Ok(NativePeel::new(source, peel, solve_s))
     }
 }

@@ -70,6 +70,42 @@ def test_stations_have_exactly_what_was_asked(peel: peelkit.Peel) -> None:
         peel.at(force=1.0, front=3.0)
 
 
+def test_a_number_of_the_fields_passes_a_value_where_the_quantity_does_that_it_equals(peel: peelkit.Peel) -> None:
+    """The gap of the free end by name, and by a function of the fields; a product of two numbers, which has no name."""
+    gap = peel.at(free_end_gap=0.5)
+    own = peel.where(lambda state: float(state["gap_nm"][0]), 0.5)
+    assert len(own) == len(gap) > 0
+    for found, named in zip(own, gap, strict=True):
+        assert found.displacement == pytest.approx(named.displacement, rel=1e-7)
+    both = peel.where(lambda state: state.force * state.displacement, 1.0)
+    assert both and all(at.force * at.displacement == pytest.approx(1.0, rel=1e-8) for at in both)
+    rising = peel.where(lambda state: state.force * state.displacement, 1.0, ">")
+    falling = peel.where(lambda state: state.force * state.displacement, 1.0, "<")
+    assert len(rising) + len(falling) == len(both)
+    with pytest.raises(peelkit.PeelkitError, match="none of"):
+        peel.where(lambda state: state.force, 1.0, "up")
+    with pytest.raises(ZeroDivisionError):
+        peel.where(lambda state: 1.0 / 0.0)
+    with pytest.raises(KeyError):
+        peel.where(lambda state: float(state["no_such_field"][0]))
+    with pytest.raises(peelkit.ComputationError):
+        peel.where(lambda state: float("nan"))
+
+
+def test_a_path_ends_where_a_number_of_the_fields_passes_zero(strip: peelkit.Scene, peel: peelkit.Peel) -> None:
+    def product(state: peelkit.State) -> float:
+        return state.force * state.displacement - 1.0
+
+    stopped = strip.run(stop_where=product)
+    last = stopped.curve.force[-1] * stopped.curve.displacement[-1]
+    assert (stopped.end, last) == ("event", pytest.approx(1.0, rel=1e-8))
+    assert stopped.reason is not None and "stop_where" in stopped.reason
+    count = len(stopped.curve.force) - 1
+    assert count > 0 and list(stopped.curve.force[:count]) == list(peel.curve.force[:count])
+    with pytest.raises(ZeroDivisionError):
+        strip.run(stop_where=lambda state: 1.0 / 0.0)
+
+
 def test_states_are_in_equilibrium(peel: peelkit.Peel) -> None:
     """The adhesion of a free strip carries the force of the grip: the integral of the line force is P."""
     states = peel.states(4)

@@ -23,6 +23,7 @@ pub use path::segment::PathSegment;
 pub use points::bracket::brackets;
 pub use points::branching::locate_branching;
 pub use points::locate::{Located, ROUGH, difference_on_more_elements, locate, solve_on, step_to, unlocated};
+pub use points::passing::{FoundValue, Passing, PathNumber, SoughtValue};
 pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointKind, LimitPointSearch};
 pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};

@@ -12,10 +12,11 @@ mod solid_peel;
 mod states;
 mod terms;
 pub use crate::solve::LimitPointKind;
+pub use crate::solve::points::passing::Passing;
 pub use crate::solve::points::tracer::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 /// Order of the elements with which a point is followed.
 pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice, ORDER as FOLLOWED_ORDER};
-pub use asked::events::{EventAction, EventAt, EventQuantity, OfFields, Passing, StationAt, StationQuantity};
+pub use asked::events::{EventAction, EventAt, EventQuantity, OfFields, StationAt, StationQuantity};
 pub use asked::locator::StationErrors;
 pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};

@@ -5,6 +5,7 @@
 //! and twice for half the size, which is enough from an order of convergence of one on. Where the finer mesh has no limit point beside one, that is
 //! of the mesh: an element comes off by itself. The difference is then that to the equilibrium on the finer mesh whose front is at the same place.
 
+use super::asked::events::{EventAt, StationQuantity};
 use super::asked::stop_criteria::{Bound, FollowedUntil, Stage, StopCriteria};
 use crate::model::peel::PeelModel;
 use crate::model::solid::{SolidError, SolidSettings};
@@ -13,8 +14,8 @@ use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
-use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::Located;
+use crate::solve::points::passing::{FoundValue, PathNumber, SoughtValue};
 use crate::solve::points::search::{BendRule, LimitPointKind, LimitPointSearch};
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::problem::Problem;
@@ -25,10 +26,8 @@ use std::sync::Arc;
 /// What is asked of the peel of a solid.
 #[derive(Clone, Debug)]
 pub struct SolidOptions {
-    /// Where the path is stopped although it goes on
+    /// Where the path is stopped although it goes on, and the stations and events that are located on it: of [`StationQuantity::OF_SOLID`]
     pub stop: StopCriteria,
-    /// Displacements at which the path is solved, nm: where it first reaches each
-    pub stations: Vec<f64>,
     /// How many limit points and stations are solved again on a finer mesh, from the first on
     pub bounded: usize,
     /// Error of a prediction along the path that its steps aim at, relative to the gap
@@ -38,7 +37,7 @@ pub struct SolidOptions {
 impl Default for SolidOptions {
     /// The whole path, with errors of the first twenty limit points.
     fn default() -> Self {
-        Self { stop: StopCriteria::default(), stations: Vec::new(), bounded: 20, step: STEP }
+        Self { stop: StopCriteria::default(), bounded: 20, step: STEP }
     }
 }
 
@@ -100,14 +99,16 @@ pub struct SolidLimitPoint {
     pub errors: Option<SolidErrors>,
 }
 
-/// The path at a displacement that was asked for.
+/// A station, or where an event of the user lies.
 #[derive(Clone, Debug)]
 pub struct SolidStation {
-    /// u, nm
-    pub displacement: f64,
-    /// P, nN
-    pub force: f64,
-    /// Bound on the error of P, nN; none as of a limit point
+    /// Which one of [`StopCriteria::events`]
+    pub event: usize,
+    /// The equilibrium
+    pub point: SolidPoint,
+    /// It lies between `points[after]` and `points[after + 1]`.
+    pub after: usize,
+    /// Bound on the error of P, nN, at this displacement; none as of a limit point
     pub force_error: Option<f64>,
 }
 
@@ -135,7 +136,7 @@ pub struct SolidPeel {
     pub points: Vec<SolidPoint>,
     /// In path order
     pub limit_points: Vec<SolidLimitPoint>,
-    /// Of those that were asked for, those that the path reached
+    /// Of each station and event all that the path passes, in path order
     pub stations: Vec<SolidStation>,
     /// How it ended
     pub end: SolidPathEnd,
@@ -149,6 +150,15 @@ pub struct SolidPeel {
 /// Something of a path that is not among its limit points.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolidLeftOut {
+    /// A station or an event that was not located.
+    NotPassed {
+        /// Which one of [`StopCriteria::events`]
+        event: usize,
+        /// It lies between `points[after]` and `points[after + 1]`.
+        after: usize,
+        /// Why
+        cause: SolveError,
+    },
     /// A limit point that was not located.
     NotLocated {
         /// Of the displacement or of the force
@@ -172,6 +182,11 @@ pub enum SolidLeftOut {
 }
 
 impl SolidPeel {
+    /// Length of the strip, nm.
+    pub fn length(&self) -> f64 {
+        self.strip.mesh_lines().0.last().copied().unwrap_or(0.0)
+    }
+
     /// The first maximum of the force.
     pub fn initiation_peak(&self) -> Option<&SolidLimitPoint> {
         self.limit_points.iter().find(|point| point.kind == LimitPointKind::Load)
@@ -227,13 +242,17 @@ pub fn peel_solid(
         SolidLimitPoint { kind: *kind, displacement, force, after: *after, errors }
     });
     let limit_points = limit_points.collect();
-    let mut stations = Vec::new();
-    for &displacement in &options.stations {
-        let Some(solution) = at_displacement(&problem, &solutions[..points.len()], displacement) else { continue };
-        let force_error = bounded(stations.len()).and_then(|finer| finer.station(&solution, solutions));
-        stations.push(SolidStation { displacement, force: solution.observables.force, force_error });
-    }
-    let Traced { left_out, iterations, end, .. } = traced;
+    let (passed, missed) = passed(&strip, &problem, &solutions[..points.len()], &options.stop);
+    let at_rest = points.first().map_or(0.0, |first| first.solution.energy);
+    let stations = passed.iter().enumerate().map(|(index, (event, found))| {
+        let solution = &found.solution;
+        let force_error = bounded(index).and_then(|finer| finer.station(solution, solutions));
+        let point = SolidPoint::new(&strip, solution, at_rest);
+        SolidStation { event: *event, point, after: found.after, force_error }
+    });
+    let stations = stations.collect();
+    let Traced { mut left_out, iterations, end, .. } = traced;
+    left_out.extend(missed);
     Ok(SolidPeel { strip, points, limit_points, stations, end, left_out, iterations })
 }
 
@@ -257,7 +276,7 @@ impl Traced {
         let path = Path::new(problem, path).until(options.stop.for_solves(Stage::Path));
         let mut tracer = PathTracer::new(problem, path, TraceOptions::default());
         let (mut found, mut left_out, mut points) = (Vec::new(), Vec::new(), Vec::<SolidPoint>::new());
-        let mut first: Option<Arc<Solution>> = None;
+        let mut at_rest = None;
         let end = loop {
             if let Some(bound) = options.stop.reached_bound(Stage::Path) {
                 break SolidPathEnd::Bound(bound);
@@ -287,8 +306,7 @@ impl Traced {
                     None => break SolidPathEnd::Failed(error),
                 },
             };
-            let rest = first.get_or_insert_with(|| solution.clone());
-            let point = SolidPoint::new(strip, &solution, rest.energy);
+            let point = SolidPoint::new(strip, &solution, *at_rest.get_or_insert(solution.energy));
             let (displacement, force) = (point.displacement, point.force);
             points.push(point);
             if points.len() == 1 {
@@ -312,8 +330,26 @@ impl Traced {
             if turned && options.stop.until == FollowedUntil::FirstJump {
                 break SolidPathEnd::Bound(Bound::Until(FollowedUntil::FirstJump));
             }
+            let known = &tracer.path().points()[..points.len()];
+            if let Some(event) = stopping(strip, problem, known, &options.stop) {
+                break SolidPathEnd::Bound(Bound::Event { name: event.name.clone() });
+            }
         };
-        let solutions = tracer.path().points().to_vec();
+        let mut solutions = tracer.path().points().to_vec();
+        if let SolidPathEnd::Bound(Bound::Event { name }) = &end {
+            let event = options.stop.ending().find(|event| event.name == *name);
+            let first = event.and_then(|event| first_on_last_step(strip, problem, &solutions[..points.len()], event));
+            // where it cannot be located the point beyond it stays: it is an equilibrium too
+            if let (Some(at), Some(rest), Some(last)) = (first, at_rest, points.last_mut()) {
+                let label = |observables: &Observables| at.segment.label(observables);
+                found.retain(|(_, after, located): &(_, usize, Located)| {
+                    *after < at.after || label(&located.observables) <= label(&at.solution.observables)
+                });
+                *last = SolidPoint::new(strip, &at.solution, rest);
+                solutions.truncate(at.after + 1);
+                solutions.push(at.solution);
+            }
+        }
         (Self { solutions, found, left_out, iterations: tracer.iterations(), end }, points)
     }
 }
@@ -341,16 +377,76 @@ impl SolidPoint {
 /// Error of a solution, relative as in [`crate::solve::System::size`].
 const TOLERANCE: f64 = 1e-9;
 
-/// The equilibrium at a displacement where a path first reaches it.
-fn at_displacement(problem: &Problem, points: &[Arc<Solution>], displacement: f64) -> Option<Solution> {
-    let reached = |point: &Arc<Solution>| point.observables.displacement >= displacement;
-    let after = points.windows(2).position(|pair| !reached(&pair[0]) && reached(&pair[1]))?;
-    let segment = PathSegment::around(problem, points, after);
-    let [from, to] = [after, after + 1].map(|k| points[k].observables.displacement);
-    let share = (displacement - from) / (to - from);
-    let start = segment.start(problem, share * segment.end(), 4);
-    let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: displacement };
-    solve(problem, start, &constraint, &newton(), &mut Workspace::default()).ok()
+/// The value of a station or an event on a path with these points.
+fn sought<'p>(
+    strip: &'p SolidStrip,
+    problem: &'p Problem,
+    points: &'p [Arc<Solution>],
+    at: &EventAt,
+) -> SoughtValue<'p> {
+    let [length, height] = <[_; 2]>::from(strip.mesh_lines()).map(|lines| lines.last().copied().unwrap_or(0.0));
+    let number = match at.quantity.named() {
+        Some(StationQuantity::Displacement) => PathNumber::observable(problem, |o| o.displacement),
+        Some(StationQuantity::Force) => PathNumber::observable(problem, |o| o.force),
+        // how fast it changes is not among what a point of the path knows
+        Some(StationQuantity::EndRotation) => {
+            PathNumber::of_state(problem, |at| strip.end_rotation(&strip.displacements(&at.values)))
+        }
+        Some(StationQuantity::Front) => PathNumber::following(problem, |o| o.monitors[0], move |off| length - off, 1.0),
+        Some(StationQuantity::FreeEndGap) => PathNumber::of_state(problem, move |at| {
+            let edge = |height: f64| strip.rest_gap() + height + strip.displacement_at(&at.values, 0.0, height)[1];
+            edge(0.0).min(edge(height))
+        }),
+        Some(StationQuantity::Time | StationQuantity::Attached) | None => PathNumber::of_state(problem, |_| f64::NAN),
+    };
+    SoughtValue::new(number, at.value, at.passing, points)
+}
+
+/// The event that ends a path, on its newest step: the first that it passes.
+fn stopping<'e>(
+    strip: &SolidStrip,
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    stop: &'e StopCriteria,
+) -> Option<&'e EventAt> {
+    let after = points.len().checked_sub(2)?;
+    let passed =
+        stop.ending().filter_map(|event| Some((sought(strip, problem, points, event).first_passing(after)?, event)));
+    passed.min_by(|a, b| a.0.total_cmp(&b.0)).map(|passed| passed.1)
+}
+
+/// Where an event first lies on the newest step of a path.
+fn first_on_last_step(
+    strip: &SolidStrip,
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    event: &EventAt,
+) -> Option<FoundValue> {
+    let after = points.len().checked_sub(2)?;
+    let found = sought(strip, problem, points, event).on_step(after, &mut Workspace::default());
+    found.ok()?.into_iter().next()
+}
+
+/// Where the stations and events lie on a path, in its order, each with its number; and which of them were not located.
+fn passed(
+    strip: &SolidStrip,
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    stop: &StopCriteria,
+) -> (Vec<(usize, FoundValue)>, Vec<SolidLeftOut>) {
+    let (mut passed, mut missed, mut ws) = (Vec::new(), Vec::new(), Workspace::default());
+    for (event, at) in stop.events.iter().enumerate() {
+        let value = sought(strip, problem, points, at);
+        for after in 0..points.len().saturating_sub(1) {
+            match value.on_step(after, &mut ws) {
+                Ok(found) => passed.extend(found.into_iter().map(|found| (event, found))),
+                Err(cause) => missed.push(SolidLeftOut::NotPassed { event, after, cause }),
+            }
+        }
+    }
+    let place = |found: &FoundValue| found.segment.label(&found.solution.observables) / found.segment.end();
+    passed.sort_by(|(_, a), (_, b)| a.after.cmp(&b.after).then(place(a).total_cmp(&place(b))));
+    (passed, missed)
 }
 
 fn newton() -> NewtonOptions {

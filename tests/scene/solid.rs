@@ -68,10 +68,10 @@ fn what_a_solid_does_not_have_is_refused_by_its_own_key() {
         ("", "terms=auto", "terms", "all its terms"),
         ("", "path.until=detachment", "path.until", "to the end"),
         (
-            "[output]\nstations = { force = \"0.1 nN\" }\n",
+            "[output]\nstations = { time = \"1 us\" }\n",
             "solid.through=4",
             "output.stations",
-            "has no `force` to look for",
+            "has no `time` to look for",
         ),
     ];
     for (more, given, key, says) in refused {

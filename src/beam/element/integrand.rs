@@ -189,7 +189,10 @@ fn response<T: Real, D: EnergyDensity<F>, const F: usize>(
 }
 
 /// [`Integrand::respond`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn respond<D: EnergyDensity<F>, const F: usize>(
     density: &D,
     points: &[Point<F64x4, F>],
@@ -202,7 +205,10 @@ fn respond<D: EnergyDensity<F>, const F: usize>(
 }
 
 /// [`Integrand::slopes_beyond_step`], likewise.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn slopes_beyond_step<D: EnergyDensity<F>, const F: usize>(
     density: &D,
     points: &[Point<F64x4, F>],
@@ -217,7 +223,10 @@ fn slopes_beyond_step<D: EnergyDensity<F>, const F: usize>(
 }
 
 /// [`Integrand::energy_at`], likewise.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn energy_at<D: EnergyDensity<F>, const F: usize>(
     density: &D,
     point: &Point<F64x4, F>,

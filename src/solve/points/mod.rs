@@ -2,5 +2,6 @@
 pub(crate) mod bracket;
 pub(crate) mod branching;
 pub(crate) mod locate;
+pub(crate) mod passing;
 pub(crate) mod search;
 pub(crate) mod tracer;

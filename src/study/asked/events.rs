@@ -1,5 +1,6 @@
 //! What is looked for on the way: stations, where a quantity has a value, and events of the user, where it passes one.
 
+use crate::solve::points::passing::Passing;
 use crate::study::states::fields::BeamState;
 use crate::study::states::seta_state::SetaState;
 use serde::{Deserialize, Serialize};
@@ -40,6 +41,8 @@ impl StationQuantity {
     /// Those of the equilibria of a beam.
     pub const OF_BEAM: &'static [Self] =
         &[Self::Displacement, Self::Force, Self::Front, Self::EndRotation, Self::FreeEndGap];
+    /// Those of a strip as a plane solid.
+    pub const OF_SOLID: &'static [Self] = Self::OF_BEAM;
     /// Those of a beam that is pulled at a rate.
     pub const OF_BEAM_IN_TIME: &'static [Self] =
         &[Self::Time, Self::Displacement, Self::Force, Self::Front, Self::FreeEndGap];
@@ -108,37 +111,6 @@ impl PartialEq for EventQuantity {
             (Self::OfBeam(a), Self::OfBeam(b)) => Arc::ptr_eq(a, b),
             (Self::OfSeta(a), Self::OfSeta(b)) => Arc::ptr_eq(a, b),
             _ => false,
-        }
-    }
-}
-
-/// The ways in which a quantity passes a value that count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Passing {
-    /// Either way
-    #[default]
-    Either,
-    /// Upwards alone
-    Rising,
-    /// Downwards alone
-    Falling,
-}
-
-impl Passing {
-    /// Every one with its sign in a scene.
-    pub const NAMED: [(&'static str, Self); 3] = [("=", Self::Either), (">", Self::Rising), ("<", Self::Falling)];
-
-    /// Its sign in a scene.
-    pub fn sign(self) -> &'static str {
-        Self::NAMED.iter().find(|named| named.1 == self).map_or("", |named| named.0)
-    }
-
-    /// Whether it counts where a quantity goes from so far above a value to so far above it.
-    pub fn counts(self, before: f64, behind: f64) -> bool {
-        match self {
-            Self::Either => true,
-            Self::Rising => before < behind,
-            Self::Falling => before > behind,
         }
     }
 }

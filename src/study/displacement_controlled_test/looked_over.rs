@@ -4,11 +4,12 @@ use super::result::TestPoint;
 use super::stable_branch::{BranchEnd, BranchError, LoadingDirection, Machine, StableBranch};
 use crate::beam::planar::planar_beam::FRONT;
 use crate::solve::newton::Solution;
+use crate::solve::points::passing::FoundValue;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::least;
 use crate::study::asked::events::{EventAction, StationQuantity};
-use crate::study::asked::locator::{Bounds, Found, Locator, StationErrors};
-use crate::study::asked::measured::Measure;
+use crate::study::asked::locator::{Bounds, Locator, StationErrors};
+use crate::study::asked::measured::named;
 use crate::study::asked::stop_criteria::Bound;
 use std::sync::Arc;
 
@@ -37,7 +38,7 @@ impl Machine<'_> {
             for after in 0..leg.points.len() - 1 {
                 let machine_nm = leg.points[after].observables.displacement;
                 let lost = |cause| BranchError::NoEvent { name: at.name.clone(), machine_nm, cause };
-                for Found { solution, segment } in locator.on_step(after, &mut ws).map_err(lost)? {
+                for FoundValue { solution, segment, .. } in locator.sought.on_step(after, &mut ws).map_err(lost)? {
                     let (best, errors) = locator.bounded(&solution, &segment, &bounds, &mut ws);
                     let place = solution.observables.displacement;
                     let ahead = if way == LoadingDirection::Retreat { place } else { -place };
@@ -75,6 +76,6 @@ impl Machine<'_> {
 
     /// Of the free end, nm.
     pub fn free_end_gap(&self, solution: &Solution) -> f64 {
-        Measure::named(self.model, self.problem, StationQuantity::FreeEndGap).at(solution)
+        named(self.model, self.problem, StationQuantity::FreeEndGap).at(solution)
     }
 }

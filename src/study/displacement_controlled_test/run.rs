@@ -24,7 +24,7 @@ use crate::solve::workspace::{Pace, Workspace};
 use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
 use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, ROUND_OFF, least};
 use crate::study::asked::events::EventAction;
-use crate::study::asked::measured::Measure;
+use crate::study::asked::measured::number;
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
 use crate::study::initial::error::NoEquilibrium;
 use crate::study::initial::prepared::prepared;
@@ -407,7 +407,7 @@ impl Test {
         way: LoadingDirection,
     ) -> Option<Bound> {
         for (event, at) in machine.stop.events.iter().enumerate() {
-            let measure = Measure::new(machine.model, machine.problem, at.quantity.clone());
+            let measure = number(machine.model, machine.problem, &at.quantity);
             if !self.jumped || !at.passes(measure.at(before), measure.at(landed)) {
                 continue;
             }

@@ -335,7 +335,7 @@ fn every_key_and_column_of_a_solid_is_described() {
     for (file, name) in [
         ("out/curve.csv", "curve.csv of a solid"),
         ("out/limit_points.csv", "limit_points.csv of a solid"),
-        ("out/stations.csv", "stations.csv of a solid"),
+        ("out/stations.csv", "stations.csv of a seta, a solid or at a rate"),
         ("sweep/sweep.csv", "sweep.csv of solids"),
     ] {
         let table = std::fs::read_to_string(folder.path().join(file)).unwrap();

@@ -5,7 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use peelkit::model::{Hold, SolidError, SolidSettings};
 use peelkit::solid::{Grading, SolidContact, SolidGrip};
 use peelkit::solve::LimitPointKind;
-use peelkit::study::{SolidOptions, SolidPathEnd, SolidPeel, StopCriteria, peel_solid};
+use peelkit::study::{
+    Bound, EventAction, EventAt, EventQuantity, Passing, SolidOptions, SolidPathEnd, SolidPeel, StationAt,
+    StationQuantity, StopCriteria, peel_solid,
+};
 
 fn peel(settings: &SolidSettings, options: &SolidOptions) -> SolidPeel {
     peel_solid(&model(100.0, 10.0), settings, options).unwrap()
@@ -20,9 +23,11 @@ fn parabolic(name: &str, along: f64, through: usize, modes: bool) -> SolidSettin
 /// forces on which Q(5,4) of 2.5 nm and H1(3) of 1 nm agree to 1e-4 (to 3e-4 at 40 nm): `verification/solid.md`.
 #[test]
 fn the_whole_path_and_its_errors() {
-    let stations = vec![5.0, 8.0, 10.0, 15.0, 20.0, 30.0, 40.0];
+    let displacements = [5.0, 8.0, 10.0, 15.0, 20.0, 30.0, 40.0];
+    let at = |value| StationAt { quantity: StationQuantity::Displacement, value }.into();
+    let stop = StopCriteria { events: displacements.map(at).to_vec(), ..StopCriteria::default() };
     let settings = parabolic("Q1CH", 2.0, 5, true);
-    let found = peel(&settings, &SolidOptions { stations, ..SolidOptions::default() });
+    let found = peel(&settings, &SolidOptions { stop, ..SolidOptions::default() });
     assert_eq!(found.end, SolidPathEnd::Detached);
     assert_eq!(found.left_out, []);
     use LimitPointKind::{Displacement, Load};
@@ -37,12 +42,67 @@ fn the_whole_path_and_its_errors() {
     let snap_off = found.snap_off().unwrap();
     assert!((snap_off.displacement - 45.8).abs() < 0.5, "{snap_off:?}");
     let steady = [0.11618, 0.092442, 0.083055, 0.068630, 0.060178, 0.050420, 0.044807];
-    assert_eq!(found.stations.len(), steady.len());
-    for (station, expected) in found.stations.iter().zip(steady) {
+    // where the path first passes each; behind the jump it passes some once more
+    for (event, (displacement, expected)) in displacements.into_iter().zip(steady).enumerate() {
+        let station = found.stations.iter().find(|station| station.event == event).unwrap();
         let error = station.force_error.unwrap();
-        assert!((station.force - expected).abs() < error && error < 5e-3 * expected, "{station:?}");
+        assert!((station.point.displacement / displacement - 1.0).abs() < 1e-9, "{station:?}");
+        assert!((station.point.force - expected).abs() < error && error < 5e-3 * expected, "{station:?}");
     }
     assert!(found.points.len() < 340 && found.iterations < 1450, "{} {}", found.points.len(), found.iterations);
+}
+
+/// Events on a short path: of each quantity that a solid has, where the numbers of the points around say; one that stops the path is its last point,
+/// and leaves the points before it as they are.
+#[test]
+fn events_are_located_and_stop_a_path() {
+    let settings = parabolic("Q1CH", 4.0, 2, false);
+    let of = |quantity, passing, value, action| EventAt {
+        name: "event".to_owned(),
+        quantity: EventQuantity::Named(quantity),
+        value,
+        passing,
+        action,
+    };
+    let followed = |events| {
+        let stop = StopCriteria { events, ..StopCriteria::up_to(6.0) };
+        peel(&settings, &SolidOptions { stop, bounded: 0, ..SolidOptions::default() })
+    };
+    use StationQuantity::{Displacement, EndRotation, Force, FreeEndGap, Front};
+    let record = |quantity, passing, value| of(quantity, passing, value, EventAction::Record);
+    let whole = followed(vec![
+        record(Force, Passing::Rising, 0.2),
+        record(Displacement, Passing::Either, 4.0),
+        record(Front, Passing::Falling, 90.0),
+        record(EndRotation, Passing::Rising, 0.1),
+        record(FreeEndGap, Passing::Either, 1.0),
+    ]);
+    assert_eq!(whole.left_out, []);
+    let found = |event| whole.stations.iter().filter(move |at| at.event == event).collect::<Vec<_>>();
+    let value = |event: usize, point: &peelkit::study::SolidPoint| match event {
+        0 => point.force - 0.2,
+        1 => point.displacement - 4.0,
+        2 => whole.length() - point.front - 90.0,
+        _ => point.end_rotation - 0.1,
+    };
+    for event in 0..4 {
+        assert!(!found(event).is_empty(), "{event}");
+        for station in found(event) {
+            let [before, behind] = [0, 1].map(|k| value(event, &whole.points[station.after + k]));
+            assert!(value(event, &station.point).abs() < 1e-9 && before * behind <= 0.0, "{event}: {station:?}");
+        }
+    }
+    // the free end has not moved yet
+    assert!(found(4).is_empty());
+    let stopped = followed(vec![of(Front, Passing::Falling, 90.0, EventAction::Stop)]);
+    assert_eq!(stopped.end, SolidPathEnd::Bound(Bound::Event { name: "event".to_owned() }));
+    let [.., last] = &stopped.points[..] else { panic!("no points") };
+    assert!((stopped.length() - last.front - 90.0).abs() < 1e-9, "{last:?}");
+    assert_eq!(stopped.points.len(), found(2)[0].after + 2);
+    for (own, same) in stopped.points.iter().zip(&whole.points).take(stopped.points.len() - 1) {
+        assert_eq!((own.displacement, own.force), (same.displacement, same.force));
+    }
+    assert!(stopped.limit_points.iter().all(|at| at.after + 2 <= stopped.points.len()));
 }
 
 /// The work of the grip is the change of the energy: of the elements, without any loss on the mesh.
@@ -50,8 +110,7 @@ fn the_whole_path_and_its_errors() {
 fn work_is_the_change_of_energy() {
     for contact in [SolidContact::ReferenceTraction, SolidContact::BodyForce] {
         let settings = SolidSettings { contact, grip: SolidGrip::Rigid, ..parabolic("Q1CH", 2.5, 3, false) };
-        let options =
-            SolidOptions { stop: StopCriteria::up_to(3.0), bounded: 0, step: 1e-3, ..SolidOptions::default() };
+        let options = SolidOptions { stop: StopCriteria::up_to(3.0), bounded: 0, step: 1e-3 };
         let found = peel_solid(&model(30.0, 10.0), &settings, &options).unwrap();
         let mut work = 0.0;
         for pair in found.points.windows(2) {

@@ -15,11 +15,15 @@
 //! steep truss leaves its symmetric path.
 //!
 //! Expected: limit points to 1e-9 (their own bound is zero, for there is no mesh), inertia 0, 1, 0 along the path, the branching point
-//! to 1e-6 of the displacement, which is what the locator aims at.
+//! to 1e-6 of the displacement, which is what the locator aims at. Stations at a displacement and a force, and events of the strain of a bar, at
+//! their closed forms to 1e-10: y = h + u at a station, y = ±√(l² - a²) where the bar has the length l.
 
 use super::dense_truss::Truss;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use peelkit::solve::{EndConditions, LimitPointKind, Pace, Path, PathOptions, Workspace, locate_branching};
+use peelkit::solve::{
+    EndConditions, LimitPointKind, Pace, Passing, Path, PathNumber, PathOptions, SoughtValue, State, Workspace,
+    locate_branching,
+};
 use peelkit::study::follow_rod;
 
 const HALF_SPAN: f64 = 1.0;
@@ -78,6 +82,47 @@ fn a_shallow_truss_snaps_through_at_its_limit_loads() {
         assert_abs_diff_eq!(point.observables.force, load(height, y).0, epsilon = 1e-10);
     }
     assert!(path.points.len() < 60 && path.iterations < 300, "{} {}", path.points.len(), path.iterations);
+}
+
+#[test]
+fn stations_and_events_of_the_user_are_where_the_closed_forms_have_them() {
+    let height = 0.5;
+    let truss = truss(height);
+    let rest = HALF_SPAN.hypot(height);
+    let strain = |at: &State| HALF_SPAN.hypot(height + at.values[1]) / rest - 1.0;
+    let problem = truss.problem(EndConditions::drive(0));
+    let path = follow_rod(&problem, options(), 500, |point| point.observables.displacement < -2.5 * height).unwrap();
+    let apexes = |number, value, passing| -> Vec<f64> {
+        let found = SoughtValue::new(number, value, passing, &path.points).on_path().unwrap();
+        found.iter().map(|found| height + found.solution.observables.displacement).collect()
+    };
+    let displacement = || PathNumber::observable(&problem, |o| o.displacement);
+    let force = || PathNumber::observable(&problem, |o| o.force);
+    let bar = || PathNumber::of_state(&problem, strain);
+    let agree = |found: Vec<f64>, expected: &[f64]| {
+        assert_eq!(found.len(), expected.len(), "{found:?} {expected:?}");
+        for (found, expected) in found.iter().zip(expected) {
+            assert_abs_diff_eq!(found, expected, epsilon = 1e-10);
+        }
+    };
+    // a station at a displacement, and at the force that the closed form has there, which the path passes three times
+    agree(apexes(displacement(), -0.3, Passing::Either), &[height - 0.3]);
+    let level = load(height, 0.4).0;
+    let at_level = apexes(force(), level, Passing::Either);
+    assert_eq!(at_level.len(), 3);
+    for &y in &at_level {
+        assert_abs_diff_eq!(load(height, y).0, level, epsilon = 1e-10);
+    }
+    assert_abs_diff_eq!(at_level[0], 0.4, epsilon = 1e-10);
+    // an event: the bars are so much shorter on the way down and again behind the middle
+    let y = ((0.95 * rest).powi(2) - HALF_SPAN * HALF_SPAN).sqrt();
+    agree(apexes(bar(), -0.05, Passing::Either), &[y, -y]);
+    agree(apexes(bar(), -0.05, Passing::Falling), &[y]);
+    agree(apexes(bar(), -0.05, Passing::Rising), &[-y]);
+    agree(apexes(bar(), -0.2, Passing::Either), &[]);
+    // what is no number is said, and not passed over
+    let none = PathNumber::of_state(&problem, |_| f64::NAN);
+    assert!(SoughtValue::new(none, 0.0, Passing::Either, &path.points).on_path().is_err());
 }
 
 #[test]

@@ -4,10 +4,9 @@ use peelkit::model::SolidError;
 use peelkit::study::{SolidOptions, SolidPeel, StopCriteria, peel_solid};
 use peelkit_scene::{Scene, SolidTable};
 
-/// The peel of the strip of a scene as the solid of its table, with the stations that the scene asks for.
+/// The peel of the strip of a scene as the solid of its table.
 pub fn peeled(scene: &Scene, table: &SolidTable, stop: StopCriteria) -> Result<SolidPeel, SolidError> {
     let usual = SolidOptions::default();
-    let stations = scene.stations.iter().map(|at| at.value).collect();
     let step = scene.accuracy.choice.step.unwrap_or(usual.step);
-    peel_solid(&scene.model, &scene.solid_settings(table), &SolidOptions { stop, stations, step, ..usual })
+    peel_solid(&scene.model, &scene.solid_settings(table), &SolidOptions { stop, step, ..usual })
 }

@@ -6,8 +6,8 @@ use crate::pulls::solid::peeled;
 use crate::session::Session;
 use peelkit::adhesion::HalfSpace;
 use peelkit::model::LongElements;
-use peelkit::study::{SolidPathEnd, SolidPeel, StationQuantity};
-use peelkit_report::{self as report, ReportError, SolidSummary, timed};
+use peelkit::study::{SolidPathEnd, SolidPeel, StopCriteria};
+use peelkit_report::{self as report, PassedAt, ReportError, SolidSummary, timed};
 use peelkit_scene::{Scene, SolidTable};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,12 +37,6 @@ impl<'s> SolidRun<'s> {
         ];
         asked::refuse(&options, "a solid", ", or remove [solid] from the scene to compute a beam.")?;
         let table = scene.solid.as_ref().ok_or_else(|| Refusal::scene("it has no table [solid]", "Add one."))?;
-        if scene.stations.iter().any(|at| at.quantity != StationQuantity::Displacement) {
-            return Err(Refusal::asked(
-                "a solid has stations at displacements alone",
-                "Give --at u=\"10 nm\", or `displacement` in output.stations.",
-            ));
-        }
         Ok(Self { scene, table, states: asked.states })
     }
 }
@@ -66,7 +60,8 @@ impl Analysis for SolidRun<'_> {
     fn run(&self, session: &Session) -> Result<SolidOutcome, Refusal> {
         let Self { scene, table, states } = self;
         session.stage("path of the solid");
-        let (peel, seconds) = timed(|| peeled(scene, table, session.stop(scene)));
+        let (peel, seconds) =
+            timed(|| peeled(scene, table, StopCriteria { events: scene.looked_for(), ..session.stop(scene) }));
         let peel = peel.map_err(|error| Refusal::asked(error.to_string(), error.remedy()))?;
         Ok(SolidOutcome {
             peel,
@@ -99,9 +94,13 @@ impl Outcome for SolidOutcome {
         let Self { peel, ground, .. } = self;
         let mut files = vec![self.summary(scene).with_command(command).write(dir)?];
         files.extend(report::write_solid_tables(dir, peel)?);
+        let passed = PassedAt::of_solid(peel, &scene.looked_for());
+        if !passed.is_empty() {
+            files.push(report::write_passed(dir, &passed)?);
+        }
         files.push(report::write_parameters(dir, scene, command)?);
         if peel.points.len() > 1 {
-            files.extend(report::draw_solid(dir, peel, ground, scene)?);
+            files.extend(report::draw_solid(dir, (peel, &passed), ground, scene)?);
         }
         if let Some(count) = self.states {
             files.extend(report::write_solid_states(dir, peel, self.rest_gap(), count as usize)?);

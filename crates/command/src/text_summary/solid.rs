@@ -1,12 +1,13 @@
 //! The summary of the peel of a solid, and a sweep of such peels as a table.
 
+use super::found::passed_lines;
 use super::number::in_columns;
 use super::units::{Unit, Units};
 use crate::text_summary::of_many::sweep::{headed, largest, listed, none, pair, title, values};
 use peelkit::model::LongElements;
 use peelkit::study::{LimitPointKind, SolidLimitPoint, SolidPeel};
 use peelkit::units::PreferredUnits;
-use peelkit_report::{SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_warnings};
+use peelkit_report::{PassedAt, SolidRow, SweptKeys, solid_end_reason, solid_end_word, solid_warnings};
 use peelkit_scene::Scene;
 use std::fmt::Write;
 
@@ -24,7 +25,8 @@ pub fn solid(
     let way = peel.points.iter().map(|at| at.displacement.abs()).fold(0.0, f64::max);
     let force = peel.points.iter().map(|at| at.force.abs()).fold(0.0, f64::max);
     let work = peel.points.iter().filter_map(|at| at.work).map(f64::abs).fold(0.0, f64::max);
-    let Units { force, length, work } = Units::fitting(wanted, [force, way, work]);
+    let units = Units::fitting(wanted, [force, way, work]);
+    let Units { force, length, work } = units;
     let turn = |at: &SolidLimitPoint| match at.errors {
         Some(errors) => format!(
             "{} at u = {}",
@@ -52,10 +54,8 @@ pub fn solid(
     if peel.limit_points.len() > LISTED {
         lines.push(("", format!("and {} more: see limit_points.csv", peel.limit_points.len() - LISTED)));
     }
-    lines.extend(peel.stations.iter().enumerate().map(|(index, at)| {
-        let found = at.force_error.map_or_else(|| force.short(at.force), |error| force.with_error(at.force, error));
-        (if index == 0 { "stations" } else { "" }, format!("P = {found} at u = {}", length.short(at.displacement)))
-    }));
+    let looked_for = scene.looked_for();
+    lines.extend(passed_lines(&PassedAt::of_solid(peel, &looked_for), &looked_for, &units));
     lines.extend(solid_warnings(peel, long).into_iter().map(|warning| ("warning", warning)));
     let reason = solid_end_reason(&peel.end).map_or(String::new(), |reason| format!(": {reason}"));
     lines.push(("end", format!("{}{reason}", solid_end_word(&peel.end))));

@@ -6,7 +6,7 @@ use crate::writing::error::ReportError;
 use crate::writing::number::S_PER_NS;
 use crate::writing::record::{Fields, Record, write_table};
 use crate::writing::reference::Output;
-use peelkit::study::{EventAt, Observed, SetaPullOff};
+use peelkit::study::{EventAt, Observed, SetaPullOff, SolidPeel};
 use std::path::{Path, PathBuf};
 
 /// A station, or where an event of the user lies.
@@ -32,7 +32,7 @@ pub struct PassedAt {
     pub force_error: Option<f64>,
     /// The same of the displacement, nm
     pub displacement_error: Option<f64>,
-    work: f64,
+    work: Option<f64>,
     front: Option<f64>,
     free_end_gap: Option<f64>,
     /// Of a seta
@@ -57,7 +57,7 @@ impl PassedAt {
             force: 0.0,
             force_error: None,
             displacement_error: None,
-            work: 0.0,
+            work: None,
             front: None,
             free_end_gap: None,
             attached: None,
@@ -76,7 +76,7 @@ impl PassedAt {
                 force: point.force,
                 force_error: errors.map(|errors| errors.force),
                 displacement_error: errors.map(|errors| errors.displacement),
-                work: point.work,
+                work: Some(point.work),
                 front: Some(point.front),
                 free_end_gap: Some(station.free_end_gap),
                 jumped: point.jumped,
@@ -96,7 +96,7 @@ impl PassedAt {
                 force: point.force_along,
                 force_error: location.map(|location| location.force),
                 displacement_error: location.map(|location| location.displacement),
-                work: point.work,
+                work: Some(point.work),
                 attached: Some(point.attached),
                 jumped: station.jumped,
                 after: Some(station.after),
@@ -104,6 +104,23 @@ impl PassedAt {
             }
         };
         pull_off.stations.iter().map(of).collect()
+    }
+
+    /// Those of the peel of a solid in which these were looked for.
+    pub fn of_solid(peel: &SolidPeel, looked_for: &[EventAt]) -> Vec<Self> {
+        let of = |station: &peelkit::study::SolidStation| {
+            let point = &station.point;
+            Self {
+                displacement: point.displacement,
+                force: point.force,
+                force_error: station.force_error,
+                work: point.work,
+                front: Some(peel.length() - point.front),
+                after: Some(station.after),
+                ..Self::at(looked_for, station.event)
+            }
+        };
+        peel.stations.iter().map(of).collect()
     }
 
     /// Those of a pull at a rate in which these were looked for.
@@ -115,7 +132,7 @@ impl PassedAt {
                 time: Some(point.time),
                 displacement: point.displacement,
                 force: point.force,
-                work: point.balance.work,
+                work: Some(point.balance.work),
                 front,
                 free_end_gap: station.free_end_gap,
                 attached: point.attached(),
@@ -144,10 +161,10 @@ impl Record for PassedAt {
         of.field("machine_displacement_nm", "of a displacement-controlled test: U of the machine", |at| at.machine);
         of.field("displacement_nm", "u of the grip; of a seta how far the root has moved in the step; of a pull at a rate that of what moves the grip", |at| at.displacement);
         of.field("force_nN", "P; of a seta the force on the root along the step", |at| at.force);
-        of.field("error_nm", "bound of the error of the displacement; of a seta by how much the equilibrium may be missed, with mesh and law of the tips as they are. Empty behind a jump and of a pull at a rate", |at| at.displacement_error);
-        of.field("error_nN", "the same of the force", |at| at.force_error);
-        of.field("work_aJ", "work from the beginning to there", |at| at.work);
-        of.field("front_nm", "of a beam the length that adheres, by its energy", |at| at.front);
+        of.field("error_nm", "bound of the error of the displacement; of a seta by how much the equilibrium may be missed, with mesh and law of the tips as they are. Empty behind a jump, of a pull at a rate and of a solid", |at| at.displacement_error);
+        of.field("error_nN", "the same of the force; of a solid at this displacement, by a finer mesh", |at| at.force_error);
+        of.field("work_aJ", "work from the beginning to there; empty for a load without a potential", |at| at.work);
+        of.field("front_nm", "of a beam the length that adheres, by its energy; of a solid by the logarithm of the gap", |at| at.front);
         of.field("free_end_gap_nm", "of a beam the distance of the nearer edge of the section at the free end, S = 0, from the ground", |at| at.free_end_gap);
         of.field("tips_attached", "of a seta the number of tips that adhere", |at| at.attached);
         of.field("jumped", "whether the quantity jumps past the value; the row is then what is behind the jump", |at| at.jumped);
@@ -157,10 +174,10 @@ impl Record for PassedAt {
 
 /// The table.
 pub(crate) fn outputs() -> Vec<Output> {
-    vec![Output::table("stations.csv of a seta or at a rate", PassedAt::keys())]
+    vec![Output::table("stations.csv of a seta, a solid or at a rate", PassedAt::keys())]
 }
 
-/// Writes stations.csv of a seta, or of a pull at a rate: one row a station, or where an event of the user lies, in their order.
+/// Writes stations.csv of a seta, of a solid, or of a pull at a rate: one row a station, or where an event of the user lies, in their order.
 ///
 /// Fails with [`ReportError::Write`] where the file cannot be written or a number is not finite.
 pub fn write_passed(dir: &Path, passed: &[PassedAt]) -> Result<PathBuf, ReportError> {

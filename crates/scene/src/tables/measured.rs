@@ -95,7 +95,7 @@ pub fn problem(scene: &Scene) -> Option<(String, ValueError)> {
 fn offered(scene: &Scene) -> (&'static str, Vec<StationQuantity>, &'static [StationQuantity]) {
     let (what, events) = match scene.describes() {
         Described::Peel => ("the path of a beam", StationQuantity::OF_BEAM),
-        Described::Solid(_) => return ("a strip computed as a solid", vec![StationQuantity::Displacement], &[]),
+        Described::Solid(_) => ("a strip computed as a solid", StationQuantity::OF_SOLID),
         Described::Array(_) => return ("an array of setae", Vec::new(), &[]),
         Described::Seta(_) => ("the pull-off of a seta", StationQuantity::OF_SETA),
         Described::Rate(..) if scene.seta.is_some() => ("a seta pulled at a rate", StationQuantity::OF_SETA_IN_TIME),

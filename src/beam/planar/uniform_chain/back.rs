@@ -8,7 +8,10 @@ use crate::beam::planar::chain::{ChainFactors, EDGE};
 use crate::number::F64x4;
 
 /// [`UniformChain::go_back`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 pub(super) fn back<N: Nodes, const F: usize>(
     chain: &UniformChain<F>,
     eliminated: &ChainFactors,

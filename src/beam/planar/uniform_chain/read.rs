@@ -10,7 +10,10 @@ use crate::solve::state::History;
 use std::ops::Range;
 
 /// [`UniformChain::shift`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 pub(super) fn shifted<N: Nodes, const F: usize>(chain: &UniformChain<F>, at: Configuration, ends: &[f64]) -> Vec<f64> {
     chain.shift(N::of_order(chain.basis.order), at, ends)
 }
@@ -25,7 +28,10 @@ pub(super) fn node_states<N: Nodes, const F: usize>(
 }
 
 /// [`UniformChain::sum_energy`], likewise.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 pub(super) fn energy<N: Nodes, const F: usize>(
     chain: &UniformChain<F>,
     at: Configuration,

@@ -17,7 +17,10 @@ use crate::solve::system::NodalTerms;
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 
 /// [`UniformChain::sweep_with`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 pub(super) fn sweep<N: Nodes, const F: usize, const BORDER: bool>(
     chain: &UniformChain<F>,
     at: Configuration,

@@ -47,7 +47,10 @@ impl SpatialChain {
 }
 
 /// [`SpatialChain::go_back`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn back<N: Nodes>(chain: &SpatialChain, factors: &SpatialFactors, root: &[f64; F], scale: f64, out: &mut [f64]) {
     chain.go_back(N::of_order(chain.basis.order), factors, root, scale, out);
 }

@@ -188,7 +188,10 @@ impl SpatialChain {
 }
 
 /// [`SpatialChain::sweep_with`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn sweep<N: Nodes>(
     chain: &SpatialChain,
     at: SpatialConfiguration,

@@ -342,7 +342,10 @@ fn is_viscous(point: &Point<F64x4, SPATIAL_FIELDS>) -> bool {
 }
 
 /// The responses compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn respond(
     density: &SpatialDensity,
     points: &[Point<F64x4, SPATIAL_FIELDS>],
@@ -355,7 +358,10 @@ fn respond(
 }
 
 /// The energies, likewise.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn energy_at(density: &SpatialDensity, point: &Point<F64x4, SPATIAL_FIELDS>) -> PointEnergy<F64x4, SPATIAL_FIELDS> {
     let PointResponse { energy, coverage, coverage_by_value, .. } = density.remembering(point, is_viscous(point));
     PointEnergy { energy, coverage, coverage_by_value }

@@ -96,7 +96,10 @@ impl BeamTree {
 }
 
 /// [`BeamTree::recover_bundles`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn recover(tree: &BeamTree, factors: &TreeFactors, scale: f64, out: &mut [f64]) {
     tree.recover_bundles(factors, scale, out);
 }

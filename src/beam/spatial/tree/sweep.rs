@@ -200,7 +200,10 @@ impl BeamTree {
 }
 
 /// [`BeamTree::sweep_bundles`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(not(any(feature = "portable", debug_assertions)), multiversion::multiversion(targets("x86_64+avx2+fma")))]
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
 fn sweep<N: Nodes>(
     tree: &BeamTree,
     values: &[f64],

@@ -5,12 +5,13 @@ use crate::model::problem::beam_problem::SpatialGrip;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::passing::FoundValue;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::accuracy::{Accuracy, aim};
 use crate::study::asked::error_bounds::least;
 use crate::study::asked::events::{EventAt, StationAt, StationQuantity};
-use crate::study::asked::locator::{Bounds, Found, Locator, StationErrors};
-use crate::study::asked::measured::Measure;
+use crate::study::asked::locator::{Bounds, Locator, StationErrors};
+use crate::study::asked::measured::named;
 use crate::study::peel::along_path::work::work_at;
 use crate::study::peel::result::Peel;
 use crate::study::peel::solution_history::SolutionHistory;
@@ -107,11 +108,11 @@ impl Peel {
             share: aim(&self.model, &Accuracy::to(self.asked)).1.unwrap_or(least(self.asked)),
             are_known: !problem.system.has_history() && !dropped,
         };
-        events.range = locator.range;
+        events.range = locator.sought.range;
         let mut ws = Workspace::default().at(self.effort.pace);
         for after in 0..points.len() - 1 {
-            match locator.on_step(after, &mut ws) {
-                Ok(found) => events.found.extend(found.iter().map(|Found { solution, segment }| {
+            match locator.sought.on_step(after, &mut ws) {
+                Ok(found) => events.found.extend(found.iter().map(|FoundValue { solution, segment, .. }| {
                     let (solution, errors) = locator.bounded(solution, segment, &bounds, &mut ws);
                     Station { errors, ..self.station(trace, (after, &solution, segment), &mut ws) }
                 })),
@@ -138,7 +139,7 @@ impl Peel {
             let label = segment.label(o);
             self.points[after].work + StepCurve::until(problem, segment, label, solution, ws).work()
         };
-        let at = |quantity: StationQuantity| Measure::named(&self.model, problem, quantity).at(solution);
+        let at = |quantity: StationQuantity| named(&self.model, problem, quantity).at(solution);
         Station {
             displacement: o.displacement,
             force: o.force,

@@ -27,7 +27,7 @@ pub(super) fn event_passed(
     let newest = newest(points);
     let after = newest.len().checked_sub(2)?;
     let passed = stop.ending().filter_map(|event| {
-        let place = Locator::new(model, problem, newest, Vec::new(), event).first_passing(after)?;
+        let place = Locator::new(model, problem, newest, Vec::new(), event).sought.first_passing(after)?;
         Some((place, event))
     });
     let (_, event) = passed.min_by(|a, b| a.0.total_cmp(&b.0))?;
@@ -40,8 +40,9 @@ pub(super) fn end_at_event(model: &PeelModel, problem: &BeamProblem, followed: &
     let Some(event) = stop.ending().find(|event| event.name == *name) else { return };
     let newest = newest(&followed.points);
     let Some(after) = newest.len().checked_sub(2) else { return };
-    let locator = Locator::new(model, problem, newest, Vec::new(), event);
-    let found = locator.on_step(after, &mut followed.workspace());
+    let sought = Locator::new(model, problem, newest, Vec::new(), event).sought;
+    let found = sought.on_step(after, &mut followed.workspace());
+    drop(sought);
     let Some(first) = found.ok().and_then(|found| found.into_iter().next()) else { return };
     followed.iterations += first.solution.iterations;
     if let Some(last) = followed.points.last_mut() {

@@ -4,11 +4,13 @@
 use super::fields::{place, shown};
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
+use crate::chart::marked::{Marked, mark_found};
 use crate::chart::output::save_all;
 use crate::chart::panel::{Line, Mark, Panel, Shape};
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{colour, signed_shade};
+use crate::records::passed::PassedAt;
 use crate::writing::error::ReportError;
 use peelkit::adhesion::HalfSpace;
 use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint};
@@ -28,7 +30,7 @@ const BETWEEN: f64 = 40.0;
 /// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_solid<'h>(
     dir: &Path,
-    peel: &SolidPeel,
+    (peel, passed): (&SolidPeel, &[PassedAt]),
     ground: &HalfSpace,
     heading: impl Into<Heading<'h>>,
 ) -> Result<Vec<PathBuf>, ReportError> {
@@ -37,10 +39,10 @@ pub fn draw_solid<'h>(
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
     let heading = heading.into();
-    save_all(&[(curve(peel, heading), "curve"), (strip(peel, ground, heading), "solid")], dir)
+    save_all(&[(curve(peel, passed, heading), "curve"), (strip(peel, ground, heading), "solid")], dir)
 }
 
-fn curve(peel: &SolidPeel, Heading { title, units }: Heading) -> Picture {
+fn curve(peel: &SolidPeel, passed: &[PassedAt], Heading { title, units }: Heading) -> Picture {
     let points: Vec<(f64, f64)> = peel.points.iter().map(|at| (at.displacement, at.force)).collect();
     let x = Axis::around("displacement u (nm)", points.iter().map(|at| at.0).chain([0.0]), false);
     let y = Axis::around("force P (nN)", points.iter().map(|at| at.1).chain([0.0]), false).in_units(units);
@@ -53,7 +55,9 @@ fn curve(peel: &SolidPeel, Heading { title, units }: Heading) -> Picture {
     };
     panel.marks.extend(peel.peak().map(|at| mark(at, "peak")));
     panel.marks.extend(peel.snap_off().map(|at| mark(at, "first jump")));
-    Picture::of(title, vec![panel]).in_units(units)
+    let mut panels = vec![panel];
+    mark_found(&mut panels, &passed.iter().map(PassedAt::marked).collect::<Vec<Marked>>());
+    Picture::of(title, panels).in_units(units)
 }
 
 /// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.

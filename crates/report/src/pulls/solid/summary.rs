@@ -1,15 +1,17 @@
 //! The peel of a solid as one JSON object: summary.json, and what `--json` prints.
 
+use crate::records::passed::PassedAt;
 use crate::records::summary::{Found, Summary};
 use crate::writing::record::{Fields, Record};
 use crate::writing::reference::Output;
 use peelkit::model::LongElements;
-use peelkit::study::{SolidLeftOut, SolidLimitPoint, SolidPathEnd, SolidPeel};
+use peelkit::study::{Bound, EventAt, SolidLeftOut, SolidLimitPoint, SolidPathEnd, SolidPeel};
 use peelkit_scene::Scene;
 
 /// The peel of a solid and what was found beside it.
 #[derive(Clone, Copy, Debug)]
 pub struct SolidFound<'a> {
+    scene: &'a Scene,
     peel: &'a SolidPeel,
     long: Option<LongElements>,
     solve_s: f64,
@@ -21,15 +23,15 @@ pub type SolidSummary<'a> = Summary<'a, SolidFound<'a>>;
 impl Record for SolidFound<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("end", "`detached`; `pivoting`: the force has come back to zero behind the first jump, still in contact; `turned-back`: the displacement has; `bound`: a limit of `[bounds]` was reached; `failed`: the computation stopped short", |found| solid_end_word(&found.peel.end));
+        of.field("end", "`detached`; `pivoting`: the force has come back to zero behind the first jump, still in contact; `turned-back`: the displacement has; `bound`: a limit of `[bounds]` was reached; `event`: an event of the user ends it; `failed`: the computation stopped short", |found| solid_end_word(&found.peel.end));
         of.field("reason", "why, with numbers; null where the end says it", |found| solid_end_reason(&found.peel.end));
         of.field("peak", "the load limit point with the largest force up to the first jump; null where there is none", |found| found.peel.peak());
         of.field("initiation_peak", "the first load limit point, else null", |found| found.peel.initiation_peak());
         of.field("first_jump", "the first displacement limit point, else null", |found| found.peel.snap_off());
         of.field("limit_points", "all limit points, in path order", |found| found.peel.limit_points.iter().map(Turn).collect::<Vec<_>>());
-        of.sometimes("stations", "with `output.stations` or `--at`: the path at the displacements that were asked for", |found| Some(found.peel.stations.as_slice()).filter(|stations| !stations.is_empty()));
+        of.sometimes("stations", "with `output.stations`, `output.events` or options of them: where they lie on the path, in its order", |found| Some(PassedAt::of_solid(found.peel, &found.scene.looked_for())).filter(|found| !found.is_empty()));
         of.field("warnings", "what is not to be trusted", |found| solid_warnings(found.peel, found.long.as_ref()));
-        of.field("left_out", "limit points that were not located, and changes of inertia that none explains, in words", |found| found.peel.left_out.iter().map(left_out).collect::<Vec<_>>());
+        of.field("left_out", "limit points, stations and events that were not located, and changes of inertia that none explains, in words", |found| found.peel.left_out.iter().map(|what| left_out(what, &found.scene.looked_for())).collect::<Vec<_>>());
         of.group("mesh", "the mesh of the scene, which stays", |of| {
             of.field("element", "its element", |found| found.peel.strip.element().to_string());
             of.field("elements", "how many", |found| found.peel.strip.elements());
@@ -62,7 +64,7 @@ impl Found for SolidFound<'_> {
 impl<'a> SolidSummary<'a> {
     /// The summary of the peel of this scene, whose elements may be too long; seconds.
     pub fn new(scene: &'a Scene, peel: &'a SolidPeel, long: Option<LongElements>, solve_s: f64) -> Self {
-        Summary::of(scene, SolidFound { peel, long, solve_s })
+        Summary::of(scene, SolidFound { scene, peel, long, solve_s })
     }
 }
 
@@ -72,6 +74,7 @@ pub fn solid_end_word(end: &SolidPathEnd) -> &'static str {
         SolidPathEnd::Detached => "detached",
         SolidPathEnd::Pivoting => "pivoting",
         SolidPathEnd::TurnedBack => "turned-back",
+        SolidPathEnd::Bound(Bound::Event { .. }) => "event",
         SolidPathEnd::Bound(_) => "bound",
         SolidPathEnd::Failed(_) => "failed",
     }
@@ -103,10 +106,16 @@ pub fn solid_warnings(peel: &SolidPeel, long: Option<&LongElements>) -> Vec<Stri
     long.into_iter().chain(of_mesh).chain(no_energy).collect()
 }
 
-fn left_out(what: &SolidLeftOut) -> String {
+fn left_out(what: &SolidLeftOut, looked_for: &[EventAt]) -> String {
     match what {
         SolidLeftOut::NotLocated { kind, after, cause } => {
             format!("the limit point of the {kind} behind point {after} was not located: {cause}")
+        }
+        SolidLeftOut::NotPassed { event, after, cause } => {
+            let at = &looked_for[*event];
+            let what = if at.name.is_empty() { "a station" } else { "an event" };
+            let (name, value) = (at.quantity.name(), at.value);
+            format!("{what} of `{name}`, at {value} in nm, nN or rad, was not located behind point {after}: {cause}")
         }
         SolidLeftOut::Inertia { kind, after, from, to } => {
             format!(

@@ -1,10 +1,10 @@
-//! The tables of the peel of a solid, curve.csv, limit_points.csv and stations.csv. Units stand in the names of the columns.
+//! The tables of the peel of a solid, curve.csv and limit_points.csv. Units stand in the names of the columns.
 
 use crate::writing::error::ReportError;
 use crate::writing::names::limit_point_kind_word;
 use crate::writing::record::{Cell, Fields, Record, columns_of, write_table};
 use crate::writing::reference::Output;
-use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint, SolidStation};
+use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint};
 use std::path::{Path, PathBuf};
 
 impl Record for SolidPoint {
@@ -33,27 +33,14 @@ impl Record for SolidLimitPoint {
     }
 }
 
-impl Record for SolidStation {
-    #[rustfmt::skip]
-    fn fields(of: &mut Fields<Self>) {
-        of.field("displacement_nm", "u that was asked for, where the path first reaches it", |at| at.displacement);
-        of.field("force_nN", "P there", |at| at.force);
-        of.field("error_nN", "bound of the error of the force, by a finer mesh; empty where it was not solved there", |at| at.force_error);
-    }
-}
-
-/// Writes curve.csv and limit_points.csv, and stations.csv where there are any.
+/// Writes curve.csv and limit_points.csv.
 ///
 /// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
 pub fn write_solid_tables(dir: &Path, peel: &SolidPeel) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = vec![
+    Ok(vec![
         write_table(dir, "curve.csv", peel.points.iter())?,
         write_table(dir, "limit_points.csv", peel.limit_points.iter())?,
-    ];
-    if !peel.stations.is_empty() {
-        files.push(write_table(dir, "stations.csv", peel.stations.iter())?);
-    }
-    Ok(files)
+    ])
 }
 
 /// The columns of curve.csv by their names.
@@ -65,6 +52,5 @@ pub(super) fn outputs() -> Vec<Output> {
     vec![
         Output::table("curve.csv of a solid", SolidPoint::keys()),
         Output::table("limit_points.csv of a solid", SolidLimitPoint::keys()),
-        Output::table("stations.csv of a solid", SolidStation::keys()),
     ]
 }
