@@ -65,3 +65,42 @@ fn tips_that_are_pressed_little_stay_within_their_table() {
     let pressed = summary(&["seta.preload=1 nN"]);
     assert_eq!((&pressed["warnings"], &pressed["tip_table"]["tips_outside"]), (&Value::Array(Vec::new()), &0.into()));
 }
+
+/// Four tips, pressed on with 1 nN, dragged, pulled. `steps` and `largest_force` are those of the rows of
+/// curve.csv; that of the first step is the preload.
+#[test]
+fn each_step_and_the_largest_force_of_all_are_in_the_summary() {
+    let dir = tempdir().unwrap();
+    let sets = ["seta.forks=2", "seta.preload=1 nN", "drive.steps=[\"drag 20 nm\"]"];
+    let sets: Vec<&str> = sets.iter().flat_map(|set| ["--set", set]).collect();
+    let (status, text, _) = peel(dir.path(), &[&["run", SCENE, "--out", "out"], &sets[..]].concat());
+    assert_eq!(status, Some(0), "{text}");
+    let summary: Value = serde_json::from_slice(&std::fs::read(dir.path().join("out/summary.json")).unwrap()).unwrap();
+    let table = std::fs::read_to_string(dir.path().join("out/curve.csv")).unwrap();
+    let mut lines = table.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect()).collect();
+    let at = |row: &[f64], name: &str| row[names.iter().position(|own| *own == name).unwrap()];
+    let steps = summary["steps"].as_array().unwrap();
+    let motions: Vec<&str> = steps.iter().map(|step| step["motion"].as_str().unwrap()).collect();
+    assert_eq!(motions, ["press", "drag", "pull"]);
+    for step in steps {
+        let number = step["step"].as_f64().unwrap();
+        let forces = rows.iter().filter(|row| at(row, "step") == number).map(|row| at(row, "force_nN").abs());
+        let largest = step["largest_force_nN"].as_f64().unwrap();
+        assert_eq!(largest.abs(), forces.fold(0.0, f64::max), "{step}");
+    }
+    let size = |row: &[f64]| {
+        ["x", "y", "z"].map(|axis| at(row, &format!("force_{axis}_nN")).powi(2)).iter().sum::<f64>().sqrt()
+    };
+    let largest = &summary["largest_force"];
+    assert_eq!(largest["force_nN"].as_f64().unwrap(), rows.iter().map(|row| size(row)).fold(0.0, f64::max));
+    let named = |name: &str| largest[name].as_f64().unwrap();
+    let row = rows.iter().find(|row| size(row) == named("force_nN")).unwrap();
+    for name in ["step", "displacement_nm", "force_y_nN"] {
+        assert_eq!(named(name), at(row, name), "{name}");
+    }
+    // pressed on with the preload
+    let pressed = steps[0]["largest_force_nN"].as_f64().unwrap();
+    assert!((pressed - 1.0).abs() < 1e-6, "{pressed}");
+}

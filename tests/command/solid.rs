@@ -23,7 +23,8 @@ fn the_first_peak_is_within_its_bound() {
     let found = printed(&[&near[..], &["--at", "u=0.2 nm"]].concat());
     let [force, error] = ["force_nN", "error_nN"].map(|key| found["initiation_peak"][key].as_f64().unwrap());
     assert!((force - 0.325137).abs() < error && error < 0.02 * force, "{force} ± {error}");
-    assert_eq!(found["stations"][0]["displacement_nm"], 0.2);
+    let station = &found["stations"][0];
+    assert!((station["displacement_nm"].as_f64().unwrap() / 0.2 - 1.0).abs() < 1e-11, "{station}");
     assert_eq!((found["end"].as_str(), found["mesh"]["element"].as_str()), (Some("bound"), Some("Q1CH")));
 }
 
@@ -35,12 +36,28 @@ fn what_a_beam_alone_has_is_refused() {
     }
     is_refused(
         folder.path(),
-        &["run", SCENE, "--at", "P=0.1 nN"],
-        &["has no `force` to look for", "Give values of `displacement`"],
+        &["run", SCENE, "--at", "t=1 us"],
+        &["has no `time` to look for", "Give values of `displacement`, `force`"],
     );
     let vary = ["sweep", SCENE, "--vary", "strip.height", "--values", "9 nm, 10 nm"];
     is_refused(folder.path(), &[&vary[..], &["--peak-only"]].concat(), &["have no meaning for a solid"]);
     is_refused(folder.path(), &["coarsen", SCENE], &["[solid] is a table of a strip that is computed as a solid"]);
+}
+
+/// A station and an event of the coarse strip: in stations.csv, in print, and an event that stops is the end, which is no failure.
+#[test]
+fn stations_and_events_are_written_and_stop_a_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = ["--out", "out", "--at", "P=0.1 nN", "--event", "P > 0.2 nN", "--stop-at", "near: u > 0.3 nm"];
+    let (status, text, trouble) = run(folder.path(), &[&["run", SCENE], &COARSE[..], &asked[..]].concat());
+    assert_eq!((status, trouble.as_str()), (Some(0), ""), "{text}");
+    assert!(text.contains("end                event") && text.contains("P > 0.2 nN: u = "), "{text}");
+    let table = std::fs::read_to_string(folder.path().join("out/stations.csv")).unwrap();
+    let names: Vec<&str> = table.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    assert_eq!(names, ["", "P > 0.2 nN", "near"], "{table}");
+    let curve = std::fs::read_to_string(folder.path().join("out/curve.csv")).unwrap();
+    let last: f64 = curve.lines().last().unwrap().split(',').next().unwrap().parse().unwrap();
+    assert!((last / 0.3 - 1.0).abs() < 1e-11, "{last}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The pull-off of a seta as a page that a browser plays: the seta and its brush seen from the side, the force, and the load of each tip. The
 //! page is one file that needs no other, and well-formed XML.
 
-use super::motion::{SetaPose, travels};
+use super::motion::{PullDirection, SetaPose, travels};
 use super::side_view::{MICRO, Window};
 use crate::animation::panel::{Panel, escaped, joined};
 use crate::animation::player::{PLAYER, controls};
@@ -80,6 +80,8 @@ struct Playback<'a> {
     poses: Vec<SetaPose>,
     /// How far the root has moved at each of them, nm
     travels: Vec<f64>,
+    /// Along which the force is shown
+    pull: PullDirection,
     /// How far the root has moved (nm) and the force on it (nN), all along
     curve: Vec<(f64, f64)>,
     /// Places of the tips on the ground, nm
@@ -112,10 +114,12 @@ pub fn write_seta_animation(
             travels.get(first).zip(pull_off.points.get(first)).map_or(0.0, |(at, point)| at - point.displacement);
         before + state.point.displacement
     };
+    let pull = PullDirection::of(&pull_off.points);
     let playback = Playback {
         travels: states.iter().map(travel).collect(),
         poses: states.iter().map(|state| SetaPose::of(state, seta)).collect(),
-        curve: travels.iter().copied().zip(pull_off.points.iter().map(|point| point.force_along)).collect(),
+        pull,
+        curve: travels.iter().copied().zip(pull_off.points.iter().map(|point| pull.force(point))).collect(),
         tips: (0..seta.tips()).map(|tip| seta.joint_place(seta.tip_joint(tip))).map(|[x, _, z]| (x, z)).collect(),
         pitch: seta.tip_distance(),
         title,
@@ -264,7 +268,7 @@ fn data(playback: &Playback<'_>, panels: &[Panel; 2], curve: &Panel) -> String {
 /// A state as JSON: its place in time and on the curve, whether a tip jumps on the way to it, loads as shades, and sections in grains.
 fn frame(playback: &Playback<'_>, k: usize, time: f64, (curve, largest): (&Panel, f64)) -> String {
     let (pose, travel) = (&playback.poses[k], playback.travels[k]);
-    let (x, y) = curve.pixel((travel / MICRO, pose.point.force_along / MICRO));
+    let (x, y) = curve.pixel((travel / MICRO, playback.pull.force(&pose.point) / MICRO));
     let before = &playback.poses[k.saturating_sub(1)].tip_loads;
     let jump = before.iter().zip(&pose.tip_loads).any(|(before, load)| before.is_some() != load.is_some());
     let sections = pose.branches.iter().flat_map(|branch| &branch.sections);
@@ -276,7 +280,7 @@ fn frame(playback: &Playback<'_>, k: usize, time: f64, (curve, largest): (&Panel
     format!(
         "{{\"t\":{time:.5},\"u\":{:.6e},\"p\":{:.6e},\"n\":{},\"x\":{x:.2},\"y\":{y:.2},\"j\":{jump},\"f\":[{}],\"l\":[{}]}}",
         travel / MICRO,
-        pose.point.force_along / MICRO,
+        playback.pull.force(&pose.point) / MICRO,
         pose.point.attached,
         words(loads),
         words(coordinates)
@@ -302,8 +306,12 @@ fn tip_points(pose: &SetaPose) -> Vec<usize> {
 
 /// How far along the curve each state is, from 0 to 1.
 fn times(playback: &Playback<'_>) -> Vec<f64> {
-    let places: Vec<(f64, f64)> =
-        playback.travels.iter().copied().zip(playback.poses.iter().map(|pose| pose.point.force_along)).collect();
+    let places: Vec<(f64, f64)> = playback
+        .travels
+        .iter()
+        .copied()
+        .zip(playback.poses.iter().map(|pose| playback.pull.force(&pose.point)))
+        .collect();
     let range = |of: fn(&(f64, f64)) -> f64| {
         let (low, high) = places.iter().map(of).fold((0.0f64, 0.0f64), |(a, b), v| (a.min(v), b.max(v)));
         (high - low).max(f64::MIN_POSITIVE)

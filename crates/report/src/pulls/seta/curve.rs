@@ -1,6 +1,6 @@
 //! The force on the root of a seta and the number of attached tips, against how far the root has moved.
 
-use super::motion::{SetaMotion, travels};
+use super::motion::{PullDirection, SetaMotion, travels};
 use super::side_view::MICRO;
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
@@ -10,7 +10,7 @@ use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::records::passed::PassedAt;
-use peelkit::study::{SetaPoint, SetaPullOff, SetaState};
+use peelkit::study::{SetaPoint, SetaPullOff, SetaState, SetaStation};
 
 /// Heights of the two panels, and where the first one begins and the second one, pixels.
 const TOP: f64 = 40.0;
@@ -22,15 +22,16 @@ const TIPS: f64 = 130.0;
 pub(super) fn picture(pull_off: &SetaPullOff, passed: &[PassedAt], Heading { title, units }: Heading) -> Picture {
     let travels = travels(&pull_off.points);
     let micro: Vec<f64> = travels.iter().map(|travel| travel / MICRO).collect();
-    let of = |value: fn(&SetaPoint) -> f64| -> Vec<(f64, f64)> {
+    let of = |value: &dyn Fn(&SetaPoint) -> f64| -> Vec<(f64, f64)> {
         micro.iter().copied().zip(pull_off.points.iter().map(value)).collect()
     };
-    let (forces, attached) = (of(|point| point.force_along), of(|point| point.attached as f64));
+    let pull = PullDirection::of(&pull_off.points);
+    let (forces, attached) = (of(&|point| pull.force(point)), of(&|point| point.attached as f64));
     let (left, right) = (84.0, f64::from(WIDTH) - 14.0);
     let first = Frame { left, top: TOP, right, bottom: TOP + FORCE };
     let second = Frame { left, top: first.bottom + BETWEEN, right, bottom: first.bottom + BETWEEN + TIPS };
     let x = |label: &str| Axis::around(label, micro.iter().copied(), false);
-    let y = Axis::around("force P on the root along its motion (nN)", forces.iter().map(|at| at.1).chain([0.0]), false)
+    let y = Axis::around("force P on the root along the pull (nN)", forces.iter().map(|at| at.1).chain([0.0]), false)
         .in_units(units);
     let stroke = Stroke::solid(colour::BLUE, 1.8);
     let mut force = Panel::of_lines(first, x("(µm)"), y, vec![Line::plain(forces, stroke)]);
@@ -38,12 +39,13 @@ pub(super) fn picture(pull_off: &SetaPullOff, passed: &[PassedAt], Heading { tit
     force.lines.insert(0, Line::plain(zero, Stroke::solid(colour::GREY, 0.9)));
     force.bands = bands(&pull_off.points, &micro);
     force.marks = marks(pull_off, &micro, &force.y);
-    let place = |at: &PassedAt| {
-        let first = pull_off.points.iter().position(|point| Some(point.step + 1) == at.step)?;
+    let place = |(at, SetaStation { point, .. }): (&PassedAt, &SetaStation)| {
+        let first = pull_off.points.iter().position(|other| other.step == point.step)?;
         let before = micro[first] - pull_off.points[first].displacement / MICRO;
-        Some(Marked { name: at.name.clone(), at: (before + at.displacement / MICRO, at.force) })
+        Some(Marked { name: at.name.clone(), at: (before + point.displacement / MICRO, pull.force(point)) })
     };
-    mark_found(std::slice::from_mut(&mut force), &passed.iter().filter_map(place).collect::<Vec<_>>());
+    let found: Vec<Marked> = passed.iter().zip(&pull_off.stations).filter_map(place).collect();
+    mark_found(std::slice::from_mut(&mut force), &found);
     let y = Axis::around("tips attached", attached.iter().map(|at| at.1).chain([0.0]), false);
     let label = "distance that the root has moved (µm)";
     let mut tips = Panel::of_lines(second, x(label), y, vec![Line::plain(attached, stroke)]);

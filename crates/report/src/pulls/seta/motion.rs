@@ -1,4 +1,5 @@
-//! The motions of the root of a seta, one after the other: what each is called, and the force along it.
+//! The motions of the root of a seta, one after the other: what each is called, and the force along it. In pictures the force of all of them is along
+//! one direction, that of the pull.
 
 use peelkit::model::Seta;
 use peelkit::study::{SetaBranch, SetaPoint, SetaState};
@@ -12,6 +13,8 @@ pub struct SetaMotion {
     pub name: &'static str,
     /// The largest force along it by its amount, nN: positive where the root is pulled
     pub largest: f64,
+    /// How far the root has moved in the step where the force along it is so large, nm
+    pub displacement: f64,
 }
 
 /// A motion is along the ground where it rises or sinks by less than this share of its length.
@@ -33,9 +36,44 @@ impl SetaMotion {
             rise if rise.is_nan() => return None,
             _ => "pull",
         };
-        let forces = points.iter().map(|point| point.force_along);
-        let largest = forces.fold(0.0, |most: f64, force| if force.abs() > most.abs() { force } else { most });
-        Some(Self { step: first.step, name, largest })
+        let reached = points.iter().fold(first, |most, at| {
+            let exceeds = at.force_along.abs() > most.force_along.abs();
+            if exceeds { at } else { most }
+        });
+        Some(Self { step: first.step, name, largest: reached.force_along, displacement: reached.displacement })
+    }
+}
+
+// -- The force along one direction --
+
+/// The direction of the last motion, the pull, along which pictures show the force of all steps.
+#[derive(Clone, Copy, Debug)]
+pub struct PullDirection {
+    last: usize,
+    /// None where the last motion has no length
+    along: Option<[f64; 3]>,
+}
+
+impl PullDirection {
+    /// Of the points of a pull-off.
+    pub fn of(points: &[SetaPoint]) -> Self {
+        let steps = points.chunk_by(|one, next| one.step == next.step);
+        let Some([first, .., last]) = steps.last() else {
+            return Self { last: points.last().map_or(0, |point| point.step), along: None };
+        };
+        let way: [f64; 3] = std::array::from_fn(|axis| last.root[axis] - first.root[axis]);
+        let length = way.iter().map(|part| part * part).sum::<f64>().sqrt();
+        Self { last: last.step, along: (length > 0.0).then(|| way.map(|part| part / length)) }
+    }
+
+    /// Of the force on the root its part along the pull, nN.
+    pub fn force(&self, point: &SetaPoint) -> f64 {
+        match self.along {
+            Some(along) if point.step != self.last => {
+                point.force.iter().zip(along).map(|(part, along)| part * along).sum()
+            }
+            _ => point.force_along,
+        }
     }
 }
 
@@ -60,6 +98,24 @@ mod tests {
         let found = SetaMotion::of(&points);
         let named: Vec<_> = found.iter().map(|step| (step.step, step.name, step.largest)).collect();
         assert_eq!(named, [(0, "press", -5.0), (1, "drag", 7.0), (2, "pull", 4.0)]);
+    }
+
+    /// A press down, then a pull along (3, 4): a force (10, -5) has there 6 - 4. The force of the last step stays what it is.
+    #[test]
+    fn forces_of_all_steps_are_along_the_pull() {
+        let at = |step, root, force| SetaPoint { step, root, force, force_along: 9.0, ..SetaPoint::default() };
+        let before = [10.0, -5.0, 3.0];
+        let points = [
+            at(0, [0.0; 3], [0.0; 3]),
+            at(0, [0.0, -2.0, 0.0], before),
+            at(1, [0.0, -2.0, 0.0], before),
+            at(1, [6.0, 6.0, 0.0], [1.0; 3]),
+        ];
+        let pull = PullDirection::of(&points);
+        let forces: Vec<f64> = points.iter().map(|point| pull.force(point)).collect();
+        assert_eq!(forces, [0.0, 2.0, 9.0, 9.0]);
+        let alone = PullDirection::of(&points[..1]);
+        assert_eq!(alone.force(&points[0]), 9.0);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The pull-off of a seta as one JSON object: summary.json, and what `--json` prints.
 
+use super::motion::SetaMotion;
 use super::names::{TipEvents, seta_end_reason, seta_end_word};
 use crate::records::passed::PassedAt;
 use crate::records::summary::{Found, Summary};
@@ -36,6 +37,8 @@ impl Record for SetaFound<'_> {
         of.field("reason", "why, with numbers; null where the end says it", |found| seta_end_reason(&found.pull_off.end));
         of.field("tips", "number of tips", |found| found.seta.tips());
         of.field("peak", "the equilibrium of the pull with the largest force along the pull: a maximum, or just before an event or behind it; on the finest mesh that `mesh_error` names; null where the pull was not begun", |found| found.pull_off.peak.as_ref().map(|state| Moment { state, converged: found.converged }));
+        of.field("largest_force", "of all steps the equilibrium at which the force on the root is largest, whatever its direction; null without equilibria", |found| Largest::of(&found.pull_off.points));
+        of.field("steps", "what each step of the loading came to, in their order; the pull is the last one", |found| SetaMotion::of(&found.pull_off.points));
         of.field("initial_stiffness_N_per_m", "at the beginning of the pull, by how much the force along the pull rises with the displacement, the root held in all other directions; null where the pull was not begun", |found| found.pull_off.initial_stiffness);
         of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |found| Some(MeshError { curve: found.pull_off.peak.as_ref()?.point, converged: found.converged? }));
         of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |found| found.pull_off.first_detachment.as_ref().map(Moment::from));
@@ -121,6 +124,42 @@ impl Moment<'_> {
     /// How far the place that was looked for may lie from here; none where none was.
     fn location(&self) -> Option<LocationError> {
         self.converged.map_or(self.state.location, |finest| finest.location)
+    }
+}
+
+/// The largest force on the root over all steps.
+struct Largest<'a>(&'a SetaPoint);
+
+impl<'a> Largest<'a> {
+    fn of(points: &'a [SetaPoint]) -> Option<Self> {
+        points.iter().max_by(|a, b| size(&a.force).total_cmp(&size(&b.force))).map(Self)
+    }
+}
+
+fn size(force: &[f64; 3]) -> f64 {
+    force.iter().map(|part| part * part).sum::<f64>().sqrt()
+}
+
+impl Record for Largest<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("force_nN", "the length of the force", |at| size(&at.0.force));
+        of.field("force_x_nN", "its part along x", |at| at.0.force[0]);
+        of.field("force_y_nN", "along the normal of the ground, negative where the root is pressed", |at| at.0.force[1]);
+        of.field("force_z_nN", "along z", |at| at.0.force[2]);
+        of.field("step", "number of the step of the loading, from 1", |at| at.0.step + 1);
+        of.field("displacement_nm", "how far the root has moved in the step", |at| at.0.displacement);
+        of.field("tips_attached", "number of tips that adhere", |at| at.0.attached);
+    }
+}
+
+impl Record for SetaMotion {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("step", "number of the step, from 1", |motion| motion.step + 1);
+        of.field("motion", "`press`, `drag` or `pull`, by where the root goes", |motion| motion.name);
+        of.field("largest_force_nN", "the largest force on the root along this motion by its amount, positive where it is pulled that way", |motion| motion.largest);
+        of.field("displacement_nm", "how far the root has moved in the step there", |motion| motion.displacement);
     }
 }
 
