@@ -138,9 +138,9 @@ fn holds(fit: &Fit, index: usize, truth: f64) -> bool {
     low <= truth && truth <= high
 }
 
-/// How many curves are made noisy and fitted: 30, or as many as `PEELKIT_REPETITIONS` says.
+/// How many curves are made noisy and fitted: 12, or as many as `PEELKIT_REPETITIONS` says.
 fn repetitions() -> u64 {
-    std::env::var("PEELKIT_REPETITIONS").map_or(30, |number| number.parse().unwrap())
+    std::env::var("PEELKIT_REPETITIONS").map_or(12, |number| number.parse().unwrap())
 }
 
 /// How many of so many repetitions have each true value in its interval.
@@ -167,7 +167,7 @@ fn intervals_hold_what_is_known_in_95_of_100_repetitions() {
 
 /// E = 3 GPa and A_H = 0.12 aJ, measured with errors of 0.02 nm and 0.004 nN that nobody has given: both are estimated. That of the displacements rests
 /// on the few points where the curve is steep and comes out 18 % too small, so that intervals of 95 % hold what is known in 85 and 86 of 100
-/// repetitions, which `docs/how-to/runs/fit.md` says; of the first 30 in 25 and 24. No fewer may.
+/// repetitions, which `docs/how-to/runs/fit.md` says; of the first 12 in 10 and 10. No fewer may.
 #[test]
 fn intervals_where_both_errors_are_estimated_are_somewhat_too_narrow() {
     let truth = Truth { hamaker: 0.12, modulus: 3.0, ..TRUTH };
