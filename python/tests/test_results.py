@@ -72,8 +72,8 @@ def test_stations_have_exactly_what_was_asked(peel: peelkit.Peel) -> None:
 
 def test_a_number_of_the_fields_passes_a_value_where_the_quantity_does_that_it_equals(peel: peelkit.Peel) -> None:
     """The gap of the free end by name, and by a function of the fields; a product of two numbers, which has no name."""
-    gap = peel.at(free_end_gap=0.5)
-    own = peel.where(lambda state: float(state["gap_nm"][0]), 0.5)
+    gap = peel.at(free_end_gap=0.25)
+    own = peel.where(lambda state: float(state["gap_nm"][0]), 0.25)
     assert len(own) == len(gap) > 0
     for found, named in zip(own, gap, strict=True):
         assert found.displacement == pytest.approx(named.displacement, rel=1e-7)

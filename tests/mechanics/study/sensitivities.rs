@@ -172,6 +172,23 @@ fn exponents_obey_dimensional_analysis() {
     }
 }
 
+/// Next to the first jump no displacement can be held to the last digit, and the force changes as the root of how far it is: four times as near it is
+/// half as far from that of the jump, and its derivative by a parameter is twice as large.
+#[test]
+fn the_force_next_to_the_first_jump() {
+    let model: PeelModel = (&paper_strip(50.0, 1.0)).into();
+    let own = peeled(&model, 1e-9);
+    let jump = own.snap_off.unwrap();
+    for near in [1e-6, 1e-7, 1e-8] {
+        let places = [4.0, 1.0].map(|share: f64| jump.displacement * (1.0 - share * near));
+        let found = force_derivatives(&own, &places, &[variation(MODULUS, &model)]).unwrap();
+        let [far, close] = [0, 1].map(|k: usize| found[k].0 - jump.force);
+        assert!((far / close / 2.0 - 1.0).abs() < 1e-2, "{near}: {far} {close}");
+        let [far, close] = [0, 1].map(|k: usize| found[k].1[0]);
+        assert!((close / far / 2.0 - 1.0).abs() < 5e-2, "{near}: {far} {close}");
+    }
+}
+
 /// dP/dx at held displacements, against differences of the curve.
 #[test]
 fn the_force_along_the_stable_branch() {

@@ -129,7 +129,8 @@ type Suite = Box<dyn Fn() -> Vec<Check>>;
 fn chosen(args: &Verify) -> Result<Vec<Suite>, Stop> {
     if args.hard {
         let scenes: Vec<_> = Part::chosen(args.part, hard_scenes()?).collect();
-        return Ok(vec![Box::new(move || hard::run(&scenes))]);
+        let strips: Vec<_> = Part::chosen(args.part, 0..hard::STRIPS).collect();
+        return Ok(vec![Box::new(move || hard::run(&scenes, &strips))]);
     }
     let names = &args.only;
     if let Some(name) = names.iter().find(|name| TOPICS.iter().all(|topic| topic.name != **name)) {

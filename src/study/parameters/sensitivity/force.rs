@@ -9,10 +9,12 @@ use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::path::segment::PathSegment;
+use crate::solve::points::passing::{Passing, PathNumber, SoughtValue};
 use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use crate::solve::workspace::Workspace;
 use crate::study::peel::result::Peel;
+use crate::study::peel::solution_history::SolutionHistory;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -67,8 +69,16 @@ pub(in crate::study) fn forces_on_branch(
         branch.first().ok_or(missing)?;
         let mut ws = Workspace::default();
         let not_solved = |cause| NoSensitivities::NotSolved { of: "the force", cause };
-        let start = interpolated(problem, &history.points, next.saturating_sub(1), displacement);
-        let found = solved(problem, start, Held::Displacement, displacement, &mut ws).map_err(not_solved)?;
+        let index = next.saturating_sub(1);
+        let folds = turn.is_some_and(|turn| turn.after == index);
+        let found = if folds { before_the_fold(peel, history, index, displacement, &mut ws) } else { None };
+        let found = match found {
+            Some(found) => found,
+            None => {
+                let start = interpolated(problem, &history.points, index, displacement);
+                solved(problem, start, Held::Displacement, displacement, &mut ws).map_err(not_solved)?
+            }
+        };
         let adjoint = Adjoint::new(problem, &found.at, Held::Displacement, &mut ws).map_err(not_solved)?;
         Ok((found.observables.force, found.slope.force, adjoint))
     };
@@ -94,6 +104,25 @@ pub(in crate::study) fn forces_on_branch(
         derivatives: columns.iter().map(|column| column[k]).collect(),
     };
     Ok(points.iter().enumerate().map(on_branch).collect())
+}
+
+/// The equilibrium at a displacement on the step behind `points[index]`, before the displacement turns there. Next to that it cannot be held at its
+/// displacement, or is one behind the limit point: it is picked by its place on the step.
+fn before_the_fold(
+    peel: &Peel,
+    SolutionHistory { problem, points, limit_points, .. }: &SolutionHistory,
+    index: usize,
+    displacement: f64,
+    ws: &mut Workspace,
+) -> Option<Solution> {
+    points.get(index + 1)?;
+    let turns = peel.limit_points.iter().map(|at| at.after).zip(limit_points.iter().cloned());
+    let number = PathNumber::observable(problem, |o| o.displacement);
+    let sought = SoughtValue::new(number, displacement, Passing::Rising, points).with_turns(turns.collect());
+    let found = sought.on_step(index, ws).ok()?;
+    let mut found = Solution::clone(&found.first()?.solution);
+    found.slope = found.slope.times(found.slope.displacement.recip());
+    Some(found)
 }
 
 /// A state between solutions of a path at a displacement that the step behind `points[index]` comes to first: the curve may be steep, and bends

@@ -9,8 +9,8 @@ use peelkit::study::{Accuracy, PathEnd, Peel, peel};
 use peelkit_scene::BoundsTable;
 use rayon::prelude::*;
 
-/// How many are sampled.
-const SCENES: usize = 500;
+/// How many there are.
+pub const STRIPS: usize = 500;
 /// The accuracy that is judged, and the one it is judged by.
 const RELATIVE: f64 = 1e-6;
 const FINER: f64 = 1e-8;
@@ -53,9 +53,9 @@ fn strip(k: usize) -> StripModel {
     model
 }
 
-/// Peels all of them, on all cores.
-fn drawn() -> Drawn {
-    let outcomes: Vec<Drawn> = (0..SCENES).into_par_iter().map(judge).collect();
+/// Peels these, on all cores.
+fn drawn(strips: &[usize]) -> Drawn {
+    let outcomes: Vec<Drawn> = strips.par_iter().map(|&k| judge(k)).collect();
     outcomes.into_iter().fold(Drawn::default(), |mut all, one| {
         all.judged += one.judged;
         all.wrong.extend(one.wrong);
@@ -102,15 +102,15 @@ fn ended(peel: &Peel) -> bool {
 /// finds: strips about to lose their snap-back.
 const STRAY: f64 = 0.01;
 
-/// The checks: hardly a number is wrong, and few paths fail.
-pub(super) fn checks() -> Vec<Check> {
-    let Drawn { judged, wrong, failed, differ } = drawn();
+/// The checks of these strips: hardly a number is wrong, and few paths fail.
+pub(super) fn checks(strips: &[usize]) -> Vec<Check> {
+    let Drawn { judged, wrong, failed, differ } = drawn(strips);
     let check = |name: String, list: &[String], most: f64| {
         let name = list.first().map_or(name.clone(), |first| format!("{name}; the first: {first}"));
         let source = "the same at 1e-8";
         Check::new(name, source, Ok(list.len() as f64), most, Measure::AtMost, 0.0)
     };
-    let of = format!("{SCENES} randomly sampled strips");
+    let of = format!("{} randomly sampled strips", strips.len());
     vec![
         check(
             format!("{of}: of {judged} numbers at 1e-6, how many are outside of their bounds"),
@@ -118,6 +118,6 @@ pub(super) fn checks() -> Vec<Check> {
             STRAY * judged as f64,
         ),
         check(format!("{of}: points that one of two accuracies finds"), &differ, STRAY * judged as f64),
-        check(format!("{of}: paths that end in a refusal"), &failed, 0.02 * SCENES as f64),
+        check(format!("{of}: paths that end in a refusal"), &failed, 0.02 * strips.len() as f64),
     ]
 }

@@ -7,6 +7,7 @@ mod drawn;
 mod repeated;
 mod scene;
 
+pub use drawn::STRIPS;
 pub use scene::{Ending, HardScene};
 
 use super::reference::Row;
@@ -25,13 +26,13 @@ const SOURCE: &str = "verification/hard_scenes.py: Chebyshev collocation of the 
 /// Two numbers of a scene are the same within this.
 const SAME: f64 = 1e-12;
 
-/// Peels every scene, once more in other units, and the randomly sampled strips, on all cores, and judges what came out.
-pub fn run(scenes: &[HardScene]) -> Vec<Check> {
+/// Peels every scene, once more in other units, and these of the [`STRIPS`] randomly sampled strips, on all cores, and judges what came out.
+pub fn run(scenes: &[HardScene], strips: &[usize]) -> Vec<Check> {
     let rows = reference::read(TABLE);
     let peels: Vec<Peel> = scenes.par_iter().map(|s| peel(&s.model, &s.accuracy, &s.bounds.from_now())).collect();
     let pairs = scenes.iter().zip(&peels);
     let judged = |(scene, peel)| [vec![ending(scene, peel)], numbers(scene, peel, &rows)].concat();
-    under(NAME, pairs.flat_map(judged).chain(repeated::checks(scenes)).chain(drawn::checks()).collect())
+    under(NAME, pairs.flat_map(judged).chain(repeated::checks(scenes)).chain(drawn::checks(strips)).collect())
 }
 
 /// Whether the path ended as expected: 1 if it did.
