@@ -102,6 +102,10 @@ fn ended(peel: &Peel) -> bool {
 /// finds: strips about to lose their snap-back.
 const STRAY: f64 = 0.01;
 
+/// Fraction of paths that may end in a refusal; in a part of the strips as many as these may come together, where 3 of all 500 are refused.
+const REFUSED: f64 = 0.02;
+const TOGETHER: f64 = 3.0;
+
 /// The checks of these strips: hardly a number is wrong, and few paths fail.
 pub(super) fn checks(strips: &[usize]) -> Vec<Check> {
     let Drawn { judged, wrong, failed, differ } = drawn(strips);
@@ -118,6 +122,6 @@ pub(super) fn checks(strips: &[usize]) -> Vec<Check> {
             STRAY * judged as f64,
         ),
         check(format!("{of}: points that one of two accuracies finds"), &differ, STRAY * judged as f64),
-        check(format!("{of}: paths that end in a refusal"), &failed, 0.02 * strips.len() as f64),
+        check(format!("{of}: paths that end in a refusal"), &failed, (REFUSED * strips.len() as f64).max(TOGETHER)),
     ]
 }
