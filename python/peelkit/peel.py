@@ -169,10 +169,7 @@ class Peel:
             raise PeelkitError(f"`at` is given {len(value)} values", "Give one: peel.at(displacement=10.0).")
         [(quantity, asked)] = value.items()
         text = asked if isinstance(asked, str) else f"{float(asked)!r} {_UNITS.get(quantity, 'nm')}"
-        found = json.loads(self._native.stations(f"{quantity}={text}"))
-        if found["missed"]:
-            raise ComputationError(found["missed"][0])
-        return [Station.of(station) for station in found["found"]]
+        return self._located(self._native.stations(f"{quantity}={text}"))
 
     def where(self, number: Callable[[State], float], value: float = 0.0, passing: str = "=") -> list[Station]:
         """Return the equilibria at which a number of the fields passes a value, wherever the path passes it.
@@ -204,7 +201,12 @@ class Peel:
         >>> [round(at.displacement, 6) for at in peel.where(lambda state: 2.0 * state.displacement, 60.0)]
         [30.0, 30.0, 30.0]
         """
-        found = json.loads(self._native.passed(lambda state: float(number(State._of(state))), value, passing))
+        return self._located(self._native.passed(lambda state: float(number(State._of(state))), value, passing))
+
+    @staticmethod
+    def _located(text: str) -> list[Station]:
+        """The equilibria of an object of ``summary.json`` that says where a path passes a value."""
+        found = json.loads(text)
         if found["missed"]:
             raise ComputationError(found["missed"][0])
         return [Station.of(station) for station in found["found"]]

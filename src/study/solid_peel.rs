@@ -410,9 +410,7 @@ fn stopping<'e>(
     stop: &'e StopCriteria,
 ) -> Option<&'e EventAt> {
     let after = points.len().checked_sub(2)?;
-    let passed =
-        stop.ending().filter_map(|event| Some((sought(strip, problem, points, event).first_passing(after)?, event)));
-    passed.min_by(|a, b| a.0.total_cmp(&b.0)).map(|passed| passed.1)
+    stop.first_passed(after, |event| sought(strip, problem, points, event))
 }
 
 /// Where an event first lies on the newest step of a path.

@@ -184,16 +184,15 @@ pub struct FoundValue {
 impl<'p> SoughtValue<'p> {
     /// A value that a number passes in a way that counts, on a path with these points.
     pub fn new(number: PathNumber<'p>, value: f64, passing: Passing, points: &'p [Arc<Solution>]) -> Self {
-        let mut sought = Self { number, value, passing, points, turns: Vec::new(), range: [0.0; 2], tolerance: 0.0 };
-        sought.range = sought.known_range();
-        sought.tolerance = sought.number.round_off(sought.largest());
-        sought
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let sought = Self { number, value, passing, points, turns: Vec::new(), range: nothing, tolerance: 0.0 };
+        sought.seeing(points.iter())
     }
 
     /// With the solutions next to limit points, each with the point before it.
     pub fn with_turns(self, turns: Vec<(usize, Arc<Solution>)>) -> Self {
-        let with = Self { turns, ..self };
-        Self { range: with.known_range(), ..with }
+        let seen = self.seeing(turns.iter().map(|turn| &turn.1));
+        Self { turns, ..seen }
     }
 
     /// Where the number need not be nearer to the value than so far.
@@ -201,10 +200,12 @@ impl<'p> SoughtValue<'p> {
         Self { tolerance, ..self }
     }
 
-    fn known_range(&self) -> [f64; 2] {
-        let known = self.points.iter().chain(self.turns.iter().map(|turn| &turn.1));
-        let values = known.map(|point| self.number.at(point));
-        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+    /// With a range that has these solutions, and the round-off of it.
+    fn seeing<'s>(mut self, solutions: impl Iterator<Item = &'s Arc<Solution>>) -> Self {
+        let values = solutions.map(|solution| self.number.at(solution));
+        self.range = values.fold(self.range, |[low, high], v| [low.min(v), high.max(v)]);
+        self.tolerance = self.number.round_off(self.largest());
+        self
     }
 
     /// The largest magnitude on the path.

@@ -19,8 +19,6 @@ use std::sync::Arc;
 const MOST_CORRECTIONS: usize = 6;
 /// Most times that the elements are made more, by half each time, until the bounds are as small as was asked for.
 const MOST_REFINEMENTS: usize = 4;
-/// Round-off of a number of the fields, over the largest on the path: they are read off from nodal values by differences.
-const OF_FIELDS: f64 = 1e-9;
 
 /// Bounds on the errors of the numbers of a station: that of the quantity asked for is round-off.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,8 +65,14 @@ impl<'p> Locator<'p> {
     ) -> Self {
         let number = number(model, problem, &at.quantity);
         let sought = SoughtValue::new(number, at.value, at.passing, points).with_turns(turns);
-        let tolerance = round_off(&at.quantity, at.value, sought.largest());
-        Self { model, problem, points, at, sought: sought.to(tolerance) }
+        let sought = match at.quantity.named() {
+            Some(quantity) => {
+                let tolerance = round_off(quantity, at.value, sought.largest());
+                sought.to(tolerance)
+            }
+            None => sought,
+        };
+        Self { model, problem, points, at, sought }
     }
 
     /// The same equilibrium on half as many elements again.
@@ -134,7 +138,7 @@ impl<'p> Locator<'p> {
             let value = at(quantity, solution).abs();
             let own = measure(quantity);
             let largest = self.points.iter().map(|point| own.at(point).abs()).fold(0.0, f64::max);
-            let rounded = round_off(&EventQuantity::Named(quantity), value, largest);
+            let rounded = round_off(quantity, value, largest);
             DIFFERENCE_BOUND_FACTOR * difference(quantity) + floor * value + rounded
         };
         StationErrors {
@@ -148,11 +152,10 @@ impl<'p> Locator<'p> {
 }
 
 /// Round-off of a value of a quantity, the `largest` of which on the path is known.
-fn round_off(quantity: &EventQuantity, value: f64, largest: f64) -> f64 {
-    match quantity.named() {
+fn round_off(quantity: StationQuantity, value: f64, largest: f64) -> f64 {
+    match quantity {
         // counted from where it is zero
-        Some(StationQuantity::Displacement) => ROUND_OFF * value.abs() + f64::EPSILON * largest,
-        Some(_) => ROUND_OFF * largest,
-        None => OF_FIELDS * largest,
+        StationQuantity::Displacement => ROUND_OFF * value.abs() + f64::EPSILON * largest,
+        _ => ROUND_OFF * largest,
     }
 }

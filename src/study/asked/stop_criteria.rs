@@ -1,6 +1,7 @@
 //! Where a path is stopped although it goes on. The library looks at no clock and hears no user: a caller that does says so.
 
 use super::events::{EventAction, EventAt};
+use crate::solve::points::passing::SoughtValue;
 use crate::solve::workspace::ShouldStop;
 use crate::units::length_text;
 use serde::{Deserialize, Serialize};
@@ -169,6 +170,16 @@ impl StopCriteria {
     /// The events that end a path.
     pub(in crate::study) fn ending(&self) -> impl Iterator<Item = &EventAt> {
         self.events.iter().filter(|event| event.action == EventAction::Stop)
+    }
+
+    /// The first event that ends a path which it passes on the step behind a point.
+    pub(in crate::study) fn first_passed<'e, 'p>(
+        &'e self,
+        after: usize,
+        sought: impl Fn(&'e EventAt) -> SoughtValue<'p>,
+    ) -> Option<&'e EventAt> {
+        let passed = self.ending().filter_map(|event| Some((sought(event).first_passing(after)?, event)));
+        passed.min_by(|a, b| a.0.total_cmp(&b.0)).map(|passed| passed.1)
     }
 
     /// What the caller says at a stage.

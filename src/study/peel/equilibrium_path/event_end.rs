@@ -26,11 +26,7 @@ pub(super) fn event_passed(
 ) -> Option<PathEnd> {
     let newest = newest(points);
     let after = newest.len().checked_sub(2)?;
-    let passed = stop.ending().filter_map(|event| {
-        let place = Locator::new(model, problem, newest, Vec::new(), event).sought.first_passing(after)?;
-        Some((place, event))
-    });
-    let (_, event) = passed.min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let event = stop.first_passed(after, |event| Locator::new(model, problem, newest, Vec::new(), event).sought)?;
     Some(PathEnd::Bound(Bound::Event { name: event.name.clone() }))
 }
 
