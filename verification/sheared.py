@@ -22,7 +22,7 @@ from scipy.optimize import brentq
 from collocation import laws, sheared
 from collocation.digits import LEVELS
 from collocation.energy import adhesion
-from collocation.law import Strip, field, potential
+from collocation.law import Strip, field, potential, stretched
 from collocation.path import TURNS, Path
 from collocation.slip import Walk, grip, settled
 from collocation.suite import DEFINING, Suite, run
@@ -53,7 +53,7 @@ def integral(s, st):
     f = field(c, z, 0.0, jac=False)
     g, th, V, M, _, H = z.T
     N, Q = H * np.cos(th) + V * np.sin(th), V * np.cos(th) - H * np.sin(th)
-    stored = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
+    stored = stretched(c, N)[2] + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
     psi = potential(c, g, th)[0] + sheared.excess(c, z)[0]
     return H * f[:, 4] + V * f[:, 0] + M * f[:, 1] - stored - c.width * psi
 

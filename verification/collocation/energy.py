@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from .law import field, potential
+from .law import field, potential, stretched
 from .curve import solution
 from .mesh import mesh
 from .system import Rule
@@ -18,7 +18,7 @@ def energy(s, st):
     z = st.inner()
     g, th, V, M = (z[..., i] for i in range(4))
     N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
-    density = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
+    density = stretched(c, N)[2] + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
     rest = potential(c, np.float64(s.g0), np.float64(0.0))[0]
     density = density + c.width * (potential(c, g, th)[0] - rest)
     return float(np.diff(st.X) @ (density @ Rule(st.n).w)) - 0.5 * s.strip.pretension * s.strip.stretch
@@ -31,8 +31,9 @@ def first_integral(s, st):
     f = field(c, z, st.H, jac=False)
     g, th, V, M = z[:, :4].T
     N, Q = st.H * np.cos(th) + V * np.sin(th), V * np.cos(th) - st.H * np.sin(th)
-    x1 = (1 + N / c.EA) * np.cos(th) - Q / c.GA * np.sin(th)
-    stored = 0.5 * N ** 2 / c.EA + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
+    long, _, along = stretched(c, N)
+    x1 = (1 + long) * np.cos(th) - Q / c.GA * np.sin(th)
+    stored = along + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
     return st.H * x1 + V * f[:, 0] + M * f[:, 1] - stored - c.width * potential(c, g, th)[0]
 
 

@@ -41,6 +41,7 @@ class Beam:
     r0: float = 0.4                      # nm
     friction: Friction | None = None
     shear_strength: float | None = None  # GPa, of a cohesive law; None: it slides
+    stretching: str = "linear"             # linear | neo-hookean | neo-hookean-wide
 
     slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s
 
@@ -220,6 +221,28 @@ def loads(c, g, th):
     return T, M, Ty, Tt, My, Mt
 
 
+POWER = {"neo-hookean": 2, "neo-hookean-wide": 3}
+
+
+def stretched(c, N):
+    """The strain of the axis under N, its slope and the energy stored.
+
+    With lambda = 1 + strain and n = 2, or n = 3 of a section that keeps its width, N = EA (lambda - lambda^-n)/(n + 1): the root lambda > 0 of
+    lambda^(n+1) - (n + 1) N/EA lambda^n = 1, by Newton's method in the logarithm of lambda.
+    """
+    if c.stretching == "linear":
+        return N / c.EA, 1.0 / c.EA, 0.5 * N ** 2 / c.EA
+    n, pull = POWER[c.stretching], N / c.EA
+    log = np.arcsinh(0.5 * pull)
+    for _ in range(60):
+        step = (np.exp(log) - np.exp(-n * log) - (n + 1) * pull) / (np.exp(log) + n * np.exp(-n * log))
+        log = log - step
+        if np.max(np.abs(step)) < 1e-15:
+            break
+    stored = c.EA / (n + 1) * (0.5 * np.expm1(2.0 * log) + np.expm1((1 - n) * log) / (n - 1))
+    return np.expm1(log), (n + 1) / c.EA / (1.0 + n * np.exp(-(n + 1) * log)), stored
+
+
 def field(c, z, H, jac=True):
     """z' and its derivatives to z and H. z[..., :] = g, theta, V, M (, w (, H)); c: the section there (Strip.at)."""
     d = z.shape[-1]
@@ -230,17 +253,18 @@ def field(c, z, H, jac=True):
     g, th, V, M = z[..., 0], z[..., 1], z[..., 2], z[..., 3]
     co, si = np.cos(th), np.sin(th)
     Tc, Mc, Ty, Tt, My, Mt = loads(c, g, th)
-    b, ea, ga = c.width, 1.0 / c.EA, 1.0 / c.GA
+    b, ga = c.width, 1.0 / c.GA
     N, Q = H * co + V * si, V * co - H * si
-    x1 = (1.0 + N * ea) * co - Q * ga * si
-    y1 = (1.0 + N * ea) * si + Q * ga * co
+    long, ea, _ = stretched(c, N)
+    x1 = (1.0 + long) * co - Q * ga * si
+    y1 = (1.0 + long) * si + Q * ga * co
     f = np.empty_like(z)
     f[..., 0] = y1 - 0.5 * c.rise
     f[..., 1] = M / c.EI + c.bend
     f[..., 2] = b * Tc
     f[..., 3] = -x1 * V + y1 * H + b * Mc
     if d == 5:
-        f[..., 4] = N * ea * co - Q * ga * si - 2.0 * np.sin(0.5 * th) ** 2
+        f[..., 4] = long * co - Q * ga * si - 2.0 * np.sin(0.5 * th) ** 2
     if not jac:
         return f
     J = np.zeros(z.shape + (d,))
