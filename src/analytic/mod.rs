@@ -7,4 +7,6 @@ pub use array::{
     softening_peak, winkler_force, winkler_moment, winkler_number,
 };
 pub use column::{buckling_load, propped_buckling_load};
-pub use peeling::{kendall_force, pretensioned_force, self_peeling_tension, sliding_force, steady_force};
+pub use peeling::{
+    kendall_force, pretensioned_force, self_peeling_tension, sliding_force, steady_force, stretched_force,
+};

@@ -1,5 +1,8 @@
 //! Forces of steady peeling, which need no beam.
 
+use crate::beam::stretch_law::StretchLaw;
+use crate::number::root::Bracket;
+
 /// Kendall's peel force, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w for a film without bending stiffness (Kendall 1975).
 ///
 /// `work_of_adhesion` w in nN/nm, `modulus` E in GPa, `height` h and `width` b in nm, `angle` φ in rad from the substrate.
@@ -26,6 +29,26 @@ pub fn steady_force(rest_adhesion: f64, axial_stiffness: f64) -> f64 {
 pub fn sliding_force(rest_adhesion: f64, axial_stiffness: f64, angle: f64) -> f64 {
     let (lift, across) = (2.0 * (0.5 * angle).sin().powi(2), angle.sin());
     quadratic_root(across * across / (2.0 * axial_stiffness), lift, -rest_adhesion)
+}
+
+/// Kendall's force of a film whose stretch is not linear, nN: P (λ - cos φ) - w(λ) = Γb, with P = N(λ).
+///
+/// A unit of length that comes off grows to λ, while the grip goes on by λ - cos φ, and w is stored in it. `energy` Γb and `axial` EA in nN, `angle` φ in
+/// rad. Where `slides`, what adheres is stretched by P cos φ as well, as of [`sliding_force`]: P λ(P) - w(P) is then larger by Γb than the same of
+/// P cos φ.
+pub fn stretched_force(law: StretchLaw, energy: f64, axial: f64, angle: f64, slides: bool) -> f64 {
+    let lift = 2.0 * (0.5 * angle).sin().powi(2);
+    let stretching = |force: f64| law.complementary_energy(axial, force);
+    let released = |force: f64| {
+        let bonded = if slides { stretching(force * angle.cos()) } else { 0.0 };
+        force * lift + stretching(force) - bonded
+    };
+    let mut most = quadratic_root(1.0 / (2.0 * axial), lift, energy);
+    while released(most) < energy && most.is_finite() {
+        most *= 2.0;
+    }
+    let bracket = Bracket { low: 0.0, high: most };
+    bracket.bisected(|force| released(force) < energy, |left| left.width() <= 1e-15 * left.high).middle()
 }
 
 /// The force, nN, of a tape that adheres with the tension T0 in it: P²/2EA + P(1 - (1 + T0/EA) cos θ) + T0²/2EA = Γb.
@@ -77,6 +100,29 @@ mod tests {
             let hanging = p + p * p / 40.0;
             let (h, w) = (p * angle.cos(), 0.03);
             assert_relative_eq!(hanging, h + h * h / 40.0 + w, max_relative = 1e-13);
+        }
+    }
+
+    /// Where the law is linear they are those of the quadratic equations; of a neo-Hookean film they satisfy their own.
+    #[test]
+    fn stretched_forces_satisfy_their_equations() {
+        let force = |law, angle, slides| stretched_force(law, 0.03, 0.2, angle, slides);
+        for angle in [0.3, 0.8, FRAC_PI_2, 2.5f64] {
+            let kendall = kendall_force(0.03, 0.2, 1.0, 1.0, angle);
+            assert_relative_eq!(force(StretchLaw::Linear, angle, false), kendall, max_relative = 1e-13);
+            assert_relative_eq!(
+                force(StretchLaw::Linear, angle, true),
+                sliding_force(-0.03, 0.2, angle),
+                max_relative = 1e-13
+            );
+            for law in [StretchLaw::NeoHookean, StretchLaw::NeoHookeanWide] {
+                let p = force(law, angle, false);
+                let stretch = 1.0 + law.strain(p / 0.2);
+                assert_relative_eq!(p * (stretch - angle.cos()) - law.energy(0.2, p), 0.03, max_relative = 1e-12);
+                let q = force(law, angle, true);
+                let along = |force: f64| force * (1.0 + law.strain(force / 0.2)) - law.energy(0.2, force);
+                assert_relative_eq!(along(q) - along(q * angle.cos()), 0.03, max_relative = 1e-12);
+            }
         }
     }
 

@@ -19,10 +19,13 @@
 //! - [`BondedMode::FreeEnd`]: at an end without force and moment already where M²/(1 - M/GA_s) > s², in a mode that decays along the beam. From
 //!   the two decaying solutions exp(λS) and V = θ' = 0 there: λ1² + λ1 λ2 + λ2² = k/GA_s.
 //!
+//! Where N does not follow the stretch linearly EA is N/Γ1 under H, in all of this.
+//!
 //! The last is the first of the three to come, by a factor of two where shear is stiff and by next to nothing where it is soft. The critical
 //! M of each is what [`BondedBeam::ratio`] is relative to.
 
 use super::section::Section;
+use super::stretch_law::StretchLaw;
 use crate::adhesion::section::line_load::LineLaw;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -54,6 +57,8 @@ impl fmt::Display for BondedMode {
 pub struct BondedBeam {
     /// EA, GA_s and EI
     pub section: Section,
+    /// How N follows the stretch
+    pub stretch: StretchLaw,
     /// k = bΨ,yy, nN/nm²
     pub stiffness: f64,
     /// m = -bΨ,θθ, nN
@@ -62,27 +67,27 @@ pub struct BondedBeam {
 
 impl BondedBeam {
     /// A section of this adhering width (nm) under its law, at rest.
-    pub fn of(section: Section, law: &LineLaw, width: f64) -> Self {
+    pub fn of(section: Section, stretch: StretchLaw, law: &LineLaw, width: f64) -> Self {
         let at = law.response(law.rest_gap(), 0.0, 1.0);
-        Self { section, stiffness: width * at.gap_gap, softening: -width * at.rotation_rotation }
+        Self { section, stretch, stiffness: width * at.gap_gap, softening: -width * at.rotation_rotation }
     }
 
     /// a = 1 - gH
     fn shortened(&self, force: f64) -> f64 {
-        1.0 - force * self.difference()
+        1.0 - force * (self.section.shear.recip() - self.axial(force).recip())
     }
 
-    /// g = 1/GA_s - 1/EA, 1/nN
-    fn difference(&self) -> f64 {
-        self.section.shear.recip() - self.section.axial.recip()
+    /// N/Γ1 under H, nN
+    fn axial(&self, force: f64) -> f64 {
+        self.stretch.secant(self.section.axial, force)
     }
 
     /// What the beam itself puts against a tilt of its sections under H, GA_s (1 - gH)(1 + H/EA), nN; `held` is the length (nm) from a free end
     /// to where sections cannot tilt, if there is such a place, which adds EI (π/2ℓ)²: less than that does not keep θ = cos(πS/2ℓ), y = 0
     /// from growing.
     pub fn tilt_resistance(&self, force: f64, held: Option<f64>) -> f64 {
-        let Section { axial, shear, bending } = self.section;
-        let bulk = shear * self.shortened(force) * (1.0 + force / axial);
+        let Section { shear, bending, .. } = self.section;
+        let bulk = shear * self.shortened(force) * (1.0 + force / self.axial(force));
         bulk + held.map_or(0.0, |length| bending * (FRAC_PI_2 / length).powi(2))
     }
 
@@ -109,10 +114,10 @@ impl BondedBeam {
     }
 
     /// The tension (nN) from which on all sections tilt, (1 - gH)(1 + H/EA) = m/GA_s; none where there is no such tension, zero
-    /// where they do at rest.
+    /// where they do at rest. Of a beam that stretches linearly.
     pub fn critical_tension(&self) -> Option<f64> {
         let Section { axial, shear, .. } = self.section;
-        let (left, g, e) = (1.0 - self.softening / shear, self.difference(), axial.recip());
+        let (left, g, e) = (1.0 - self.softening / shear, shear.recip() - axial.recip(), axial.recip());
         if left <= 0.0 {
             return Some(0.0);
         }
@@ -141,8 +146,12 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    const BEAM: BondedBeam =
-        BondedBeam { section: Section { axial: 3.0, shear: 1.2, bending: 0.04 }, stiffness: 5.0, softening: 0.3 };
+    const BEAM: BondedBeam = BondedBeam {
+        section: Section { axial: 3.0, shear: 1.2, bending: 0.04 },
+        stretch: StretchLaw::Linear,
+        stiffness: 5.0,
+        softening: 0.3,
+    };
 
     /// Least energy of a mode of wave number q under H, from the density itself.
     fn least_energy(beam: &BondedBeam, force: f64, q: f64) -> f64 {
@@ -185,6 +194,26 @@ mod tests {
         assert_eq!(BondedBeam { softening: 1.3, ..BEAM }.critical_tension(), Some(0.0));
         let unshearable = Section { shear: 1e9, ..BEAM.section };
         assert_eq!(BondedBeam { section: unshearable, ..BEAM }.critical_tension(), None);
+    }
+
+    /// The density of a section that is stretched by H: GA_s (y' - λθ)² + 2H y'θ - Hλθ², with λ = 1 + Γ1(H).
+    #[test]
+    fn a_stretched_section_counts_by_its_secant() {
+        let beam = BondedBeam { stretch: StretchLaw::NeoHookean, softening: 0.0, ..BEAM };
+        let Section { axial, shear, bending } = beam.section;
+        for force in [-0.4, 0.3, 0.9] {
+            let stretch = 1.0 + beam.stretch.strain(force / axial);
+            let least = |q: f64| {
+                let (yy, yt) = (shear * q * q + beam.stiffness, q * (shear * stretch - force));
+                bending * q * q + stretch * (shear * stretch - force) - yt * yt / yy
+            };
+            let least = (0..4000).map(|k| least(0.01 * f64::from(k))).fold(f64::INFINITY, f64::min);
+            let ratios = [BondedMode::Tilting, BondedMode::Wrinkling].map(|mode| beam.ratio(mode, force));
+            assert_eq!(least < 0.0, ratios[0].max(ratios[1]) > 1.0, "{force} {least} {ratios:?}");
+        }
+        let resistance = |force: f64| beam.tilt_resistance(force, None);
+        let stretch = 1.0 + beam.stretch.strain(0.9 / axial);
+        assert_relative_eq!(resistance(0.9), stretch * (shear * stretch - 0.9), max_relative = 1e-13);
     }
 
     /// A strut without shear on its foundation: 2 (kEI)^½ along it, half of that at its free end.

@@ -2,12 +2,12 @@
 pub(crate) mod bonded_beam;
 pub(crate) mod element;
 pub(crate) mod grip_state;
-pub(crate) mod lateral_stiffness;
 pub mod mesh;
 pub(crate) mod planar;
 pub(crate) mod reference_configuration;
 pub(crate) mod section;
 pub(crate) mod spatial;
+pub(crate) mod stretch_law;
 pub(crate) mod torsion;
 pub(crate) mod varying;
 pub(crate) mod viscosity;
@@ -18,7 +18,6 @@ pub use element::frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
 pub use element::integrand::{Integrand, PlanarIntegrand, PointEnergy, PointGradient};
 pub use element::integration::{BUNDLE, Element, ElementEnergy, Integration, PiecePoint, Responses};
 pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
-pub use lateral_stiffness::LateralStiffness;
 pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach, graded_ends};
 pub use planar::chain::{
     Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, KnownStrains, LeastPivot, MOST_FIELDS,
@@ -53,6 +52,7 @@ pub use spatial::tree::branching_beam::{
 pub use spatial::tree::factors::TreeFactors;
 pub use spatial::tree::read::BranchSection;
 pub use spatial::tree::sweep::CondensedTree;
-pub use torsion::{torsion_constant, torsion_strain};
+pub use stretch_law::{StretchLaw, StretchResponse};
+pub use torsion::{LateralStiffness, torsion_constant, torsion_strain};
 pub use varying::{BeamGeometry, Profile, SectionGeometry, Varying};
 pub use viscosity::Viscosity;

@@ -1,5 +1,6 @@
 //! Stiffness of a beam section.
 
+use super::stretch_law::StretchLaw;
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -34,12 +35,16 @@ pub struct Material {
     pub shear_correction: f64,
     /// Multiplies EI alone.
     pub bending_stiffness_factor: f64,
+    /// How the force along the axis follows its stretch
+    #[serde(default)]
+    pub stretch: StretchLaw,
 }
 
 impl Material {
     /// Young's modulus in GPa and Poisson's ratio, in a rectangular section: k_s = 5/6, and EI as it is.
     pub const fn of(youngs_modulus: f64, poissons_ratio: f64) -> Self {
-        Self { youngs_modulus, poissons_ratio, shear_correction: 5.0 / 6.0, bending_stiffness_factor: 1.0 }
+        let stretch = StretchLaw::Linear;
+        Self { youngs_modulus, poissons_ratio, shear_correction: 5.0 / 6.0, bending_stiffness_factor: 1.0, stretch }
     }
 
     /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:
@@ -75,4 +80,6 @@ pub struct SectionAt<T> {
     pub rise: T,
     /// κ0, the curvature of the stress-free axis, 1/nm
     pub curvature: T,
+    /// How N follows Γ1; forms without x take it to be linear
+    pub stretch: StretchLaw,
 }

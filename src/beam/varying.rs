@@ -4,6 +4,7 @@
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
 use super::section::{Material, Section, SectionAt};
+use super::stretch_law::StretchLaw;
 use crate::number::Real;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -83,12 +84,12 @@ impl Varying {
     #[inline(always)]
     pub fn at<T: Real>(&self, place: T) -> SectionAt<T> {
         let [axial, shear, bending, along, across, width, height, rise, curvature] = place.each(|place| {
-            let SectionAt { section, compliance: [along, across], width, height, rise, curvature } =
+            let SectionAt { section, compliance: [along, across], width, height, rise, curvature, .. } =
                 self.station(place);
             [section.axial, section.shear, section.bending, along, across, width, height, rise, curvature]
         });
         let (section, compliance) = (Section { axial, shear, bending }, [along, across]);
-        SectionAt { section, compliance, width, height, rise, curvature }
+        SectionAt { section, compliance, width, height, rise, curvature, stretch: self.material.stretch }
     }
 
     fn station(&self, place: f64) -> SectionAt<f64> {
@@ -108,6 +109,7 @@ impl Varying {
             height,
             rise,
             curvature: 0.5 * bend / (1.0 + rise * rise) + underside[1],
+            stretch: self.material.stretch,
         }
     }
 }
@@ -122,10 +124,15 @@ pub enum Profile {
 }
 
 impl Profile {
-    /// A straight beam of this section, adhering width and height, nm.
+    /// A straight beam of this section, adhering width and height, nm, in which N = EA Γ1.
     pub fn uniform(section: Section, width: f64, height: f64) -> Self {
+        Self::stretched(section, StretchLaw::Linear, width, height)
+    }
+
+    /// The same of another law of its stretch.
+    pub fn stretched(section: Section, stretch: StretchLaw, width: f64, height: f64) -> Self {
         let compliance = [section.axial.recip(), section.shear.recip()];
-        Self::Uniform(SectionAt { section, compliance, width, height, rise: 0.0, curvature: 0.0 })
+        Self::Uniform(SectionAt { section, compliance, width, height, rise: 0.0, curvature: 0.0, stretch })
     }
 
     /// The beam at S, nm.
@@ -139,6 +146,7 @@ impl Profile {
                 height: T::splat(station.height),
                 rise: T::splat(0.0),
                 curvature: T::splat(0.0),
+                stretch: station.stretch,
             },
             Self::Varying(beam) => beam.at(place),
         }

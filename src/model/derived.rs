@@ -3,8 +3,9 @@
 use super::peel::{Adhesion, PeelModel};
 use crate::adhesion::section::law::Law;
 use crate::adhesion::spatial_section::section::SectionShape;
-use crate::analytic::peeling::{kendall_force, sliding_force};
+use crate::analytic::peeling::{kendall_force, sliding_force, stretched_force};
 use crate::beam::section::Section;
+use crate::beam::stretch_law::StretchLaw;
 
 /// Quantities that follow from a model alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,13 +27,16 @@ pub struct DerivedOfSection {
     /// w of this section, J/m²: what separating it takes, the attraction of the upper surface included where the model has that. Kendall's
     /// force and the groups are made of this one
     pub work_of_adhesion: f64,
-    /// Kendall's force at the angle φ of the pull to the strip, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w
+    /// Kendall's force at the angle φ of the pull to the strip, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w, or that of its law of stretch,
+    /// [`stretched_force`]
     pub kendall_force: f64,
     /// The steady force of a film that slides along the substrate without friction, at the angle α of the pull, nN: P (1 - cos α) + P² sin² α/(2EA) =
     /// w b. What is bonded carries P cos α as well and is stretched by that before it peels; none in space
     pub sliding_force: Option<f64>,
     /// EA (nN), GA_s (nN) and EI (nN nm²)
     pub stiffness: Section,
+    /// Height of the axis above the adhering face at rest, nm: h/2
+    pub neutral_axis: f64,
     /// ℓ, over which the adhesion falls off at the peeling front, nm: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the
     /// adhesion at rest
     pub process_length: f64,
@@ -101,19 +105,29 @@ impl PeelModel {
         let work = -self.line_law().rest_energy();
         let Section { shear, bending, .. } = stiffness;
         let over_adhesion = bending / (work * width);
+        let thickness = height * self.thickness_over_height();
+        let (law, axial) = (self.material().stretch, stiffness.axial);
+        let slides = self.space.is_none() && self.adhesion.shear_strength.is_none();
+        let of_law = |slides| stretched_force(law, work * width, axial, self.pull.angle, slides);
         DerivedOfSection {
             work_of_adhesion: work,
-            kendall_force: kendall_force(work, modulus, height, width, self.angle_to_strip()),
-            sliding_force: (self.space.is_none() && self.adhesion.shear_strength.is_none())
-                .then(|| sliding_force(-work * width, stiffness.axial, self.pull.angle)),
+            kendall_force: match law {
+                StretchLaw::Linear => kendall_force(work, modulus, height, width, self.angle_to_strip()),
+                _ => of_law(false),
+            },
+            sliding_force: slides.then(|| match law {
+                StretchLaw::Linear => sliding_force(-work * width, axial, self.pull.angle),
+                _ => of_law(true),
+            }),
             stiffness,
+            neutral_axis: 0.5 * height,
             process_length,
             shear_lag_length: self.shear_lag_length(),
             elasto_adhesive_length: over_adhesion.sqrt(),
             groups: DimensionlessGroups {
-                length_over_height: length / height,
+                length_over_height: length / thickness,
                 length_over_process_length: length / process_length,
-                process_length_over_height: process_length / height,
+                process_length_over_height: process_length / thickness,
                 bending_over_adhesion: over_adhesion / process_length.powi(2),
                 bending_over_adhesion_of_length: over_adhesion / length.powi(2),
                 bending_over_shear: bending / (shear * process_length.powi(2)),

@@ -13,6 +13,7 @@ pub(crate) mod step;
 pub use crate::adhesion::Attraction;
 pub use body::Body;
 pub use body::geometry::Geometry;
+pub use body::laminate::{Laminate, LaminateError, Layer};
 pub use body::pieces::{Piece, PiecesError, ProfilePieces};
 pub use body::profile::{Profile, ProfileColumns, ProfileForm, ProfileTable, TableError};
 pub use body::spatula::Spatula;

@@ -33,6 +33,7 @@ impl StripModel {
                 width: 1.0,
                 material: Material { bending_stiffness_factor: bending, ..Material::of(2.0, 0.2) },
                 crack: None,
+                layers: None,
             },
             adhesion: Adhesion::of_half_space(0.1, 0.4),
             grip: Grip::FREE,

@@ -241,11 +241,11 @@ impl PeelModel {
             || self.adhesion.shear_strength.is_some()
     }
 
-    /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely, and in space
-    /// with x.
+    /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely, where its
+    /// stretch is not linear, and in space with x.
     pub fn form(&self, asked: Form) -> Form {
-        let reducible =
-            self.ground.substrate.is_flat() && self.tangential_stiffness().is_none() && self.space.is_none();
+        let flat = self.ground.substrate.is_flat() && self.space.is_none();
+        let reducible = flat && self.tangential_stiffness().is_none() && self.material().stretch.is_linear();
         if reducible { asked } else { Form::ThreeField }
     }
 
@@ -296,6 +296,11 @@ impl PeelModel {
         self.geometry().breaks()
     }
 
+    /// Thickness over the height h of the sections: 1, but of layers, whose h is twice the distance of the adhering face from the axis.
+    pub fn thickness_over_height(&self) -> f64 {
+        self.geometry().thickness_over_height()
+    }
+
     /// What the body is made of.
     pub fn material(&self) -> Material {
         self.geometry().material()
@@ -332,7 +337,7 @@ impl PeelModel {
     /// Its bonded section at S (nm) on flat ground, for when that loses its stability.
     pub fn bonded_beam(&self, place: f64) -> BondedBeam {
         let (section, width, height) = self.section_at(place);
-        BondedBeam::of(section, &self.adhesion.line_law(height), width)
+        BondedBeam::of(section, self.material().stretch, &self.adhesion.line_law(height), width)
     }
 
     /// Decay length (EI/k)^(1/4) of the free end as a bending beam on the adhesion's stiffness k at rest, nm.
@@ -361,9 +366,10 @@ impl PeelModel {
         gap.min(process).min((gap / process).min(1.0) / self.pull.turn.abs())
     }
 
-    /// How much longer a strip is under its pretension, T L/EA, nm.
+    /// How much longer a strip is under its pretension, nm.
     pub(super) fn prestretch(&self) -> f64 {
-        self.grip.pretension.map_or(0.0, |tension| tension * self.length() / self.section().axial)
+        let strain = |tension: f64| self.material().stretch.strain(tension / self.section().axial);
+        self.grip.pretension.map_or(0.0, |tension| strain(tension) * self.length())
     }
 }
 

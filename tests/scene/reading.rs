@@ -5,9 +5,10 @@
 
 use crate::text::{MINIMAL, PIECES, PROFILE, SPATULA, set};
 use peelkit::adhesion::{BodyShape, CohesiveShape, LineLoad, Round, Sinusoid, Substrate};
-use peelkit::beam::Material;
+use peelkit::beam::{Material, StretchLaw};
 use peelkit::model::{
-    Attraction, Body, Ground, Hold, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step, Transition,
+    Attraction, Body, Ground, Hold, Laminate, Layer, Piece, ProfileForm, ProfilePieces, Pull, Spatula, Start, Step,
+    Transition,
 };
 use peelkit::study::{EventAction, EventAt, EventQuantity, FollowedUntil, Passing, StationAt, StationQuantity, Terms};
 use peelkit_scene::{KEYS, Key, Scene};
@@ -121,9 +122,10 @@ displacement = "0.5 um"
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // pretension, friction, a shear strength and a crack are those of flat ground: pull.rs, friction.rs, conflicts.rs, and below
-    let elsewhere =
-        |key: &Key| ["pretension", "shear_strength", "crack"].contains(&key.name) || key.table == "friction";
+    // pretension, friction, a shear strength, a crack, layers and a law of stretch stand elsewhere: pull.rs, friction.rs, conflicts.rs, and below
+    let elsewhere = |key: &Key| {
+        ["pretension", "shear_strength", "crack", "stretch", "layers"].contains(&key.name) || key.table == "friction"
+    };
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not in this test", key.path());
     }
@@ -136,6 +138,42 @@ fn a_crack_is_read_and_has_to_leave_something() {
     assert_eq!(Scene::parse("a.toml", MINIMAL, &[]).unwrap().model.strip().unwrap().crack, None);
     let error = with_crack("1 um").unwrap_err().to_string();
     assert!(error.contains("`strip.crack` is 1000 nm") && error.contains("nothing adheres"), "{error}");
+}
+
+/// Layers stand in place of height and material, which are refused beside them; the law of stretch stays, and the text that is written is read again.
+#[test]
+fn layers_and_a_law_of_stretch_are_read() {
+    let layers = r#"[{ height = "30 um", youngs_modulus = "1 MPa", poissons_ratio = 0.49 }, { height = "50 um", youngs_modulus = "4 GPa" }]"#;
+    let text = |rest: &str| {
+        format!(
+            "[strip]\nlength = \"5 mm\"\nlayers = {layers}\n{rest}\n[adhesion]\nlaw = \"exponential\"\nwork = \"50 J/m2\"\nstrength = \"1 MPa\"\n"
+        )
+    };
+    let read = |rest: &str| Scene::parse("a.toml", &text(rest), &[]);
+    let scene = read("stretch = \"neo-hookean\"").unwrap();
+    let strip = *scene.model.strip().unwrap();
+    let laminate = Laminate::new(&[
+        Layer { height: 3e4, youngs_modulus: 1e-3, poissons_ratio: 0.49 },
+        Layer { height: 5e4, youngs_modulus: 4.0, poissons_ratio: 0.2 },
+    ]);
+    assert_eq!(strip.layers, laminate.ok());
+    assert_eq!((strip.material.stretch, strip.height), (StretchLaw::NeoHookean, strip.layers.unwrap().height()));
+    let again = Scene::parse("b.toml", &scene.to_toml(), &[]).unwrap();
+    assert_eq!(again.model, scene.model);
+    let said = |rest: &str| read(rest).unwrap_err().to_string();
+    for (key, value) in [("height", "\"50 um\""), ("youngs_modulus", "\"2 GPa\""), ("bending_stiffness_factor", "2.0")]
+    {
+        let said = said(&format!("{key} = {value}"));
+        assert!(said.contains(&format!("`strip.{key}` is given beside `layers`, from which it follows")), "{said}");
+    }
+    let with = |layers: &str| {
+        Scene::parse("a.toml", &text(""), &[("strip.layers".into(), layers.into())]).unwrap_err().to_string()
+    };
+    let thin = with("[{ height = \"30\", youngs_modulus = \"1 MPa\" }]");
+    assert!(thin.contains("has in layer 1 `height` = \"30\", no number with its unit in quotes"), "{thin}");
+    assert!(with("[]").contains("has 0 layers; it takes 1 to 8"));
+    let wrong = with("[{ height = \"30 um\", youngs_modulus = \"1 MPa\", poissons_ratio = 0.5 }]");
+    assert!(wrong.contains("has in layer 1 `poissons_ratio` = 0.5, which is out of range"), "{wrong}");
 }
 
 /// Numbers that are all different, so that none can stand in another's place.
@@ -181,6 +219,7 @@ equilibrium_distance = "0.4 nm"
             poissons_ratio: 0.3,
             shear_correction: 0.9,
             bending_stiffness_factor: 1.5,
+            stretch: StretchLaw::Linear,
         },
     };
     assert_eq!(*spatula, expected);

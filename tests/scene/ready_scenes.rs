@@ -37,6 +37,10 @@ fn every_example_that_messages_give_is_right() {
         let text = match key.table {
             "spatula" => SPATULA.to_owned(),
             "profile" if key.name == "pieces" => PIECES.to_owned(),
+            "strip" if key.name == "layers" => {
+                let bare = MINIMAL.replace("height = \"10 nm\"\n", "").replace("youngs_modulus = \"2 GPa\"\n", "");
+                bare.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
+            }
             "profile" => PROFILE.to_owned(),
             "substrate" => on_ground(key.shapes()[0]),
             "optimise" => MINIMAL.replace("height = \"10 nm\"", "height = \"5 nm\"\nwidth = \"10 nm\"") + OPTIMISED,

@@ -2,7 +2,7 @@
 
 use crate::body::{number_of_shape, profile, space, spatula, strip, substrate};
 use crate::error::ValueError;
-use crate::key::choice::{ENDS, HOLDS, LAW, LINE_LOADS, SECTIONS, STARTS, TERMS, choice};
+use crate::key::choice::{ENDS, HOLDS, LAW, LINE_LOADS, SECTIONS, STARTS, STRETCHES, TERMS, choice};
 use crate::key::kind::{Key, Kind, Need, Need::Optional, Need::Required};
 use crate::key::list::{find, tables_of};
 use crate::key::table::{
@@ -12,7 +12,7 @@ use crate::key::table::{
 use crate::scene::Scene;
 use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
 use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
-use crate::tables::{array, branching, fit, optimise, output, rate, seta, solid, uncertainty};
+use crate::tables::{array, branching, fit, layers, optimise, output, rate, seta, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -144,7 +144,9 @@ pub static KEYS: &[Key] = &[
     number(&STRIP, "poissons_ratio", Optional, |s| &mut strip(s).material.poissons_ratio, "Poisson's ratio").titled("Poisson's ratio", "ν"),
     number(&STRIP, "shear_correction", Optional, |s| &mut strip(s).material.shear_correction, "shear correction factor of the section").titled("shear correction factor", "k"),
     number(&STRIP, "bending_stiffness_factor", Optional, |s| &mut strip(s).material.bending_stiffness_factor, "multiplies the bending stiffness EI alone").titled("bending stiffness over that of the section", "EI/EI₀"),
+    key(&STRIP, "stretch", Optional, choice!(STRETCHES, "\"neo-hookean\"", |s| &mut strip(s).material.stretch), "force along the strip over its stretch"),
     key(&STRIP, "crack", Optional, Kind::Bound(Length, |s| &mut strip(s).crack), "length of an initial crack at the grip").titled("length of the initial crack", "a₀"),
+    key(&STRIP, "layers", Optional, Kind::Setting(&layers::LAYERS), "layers from the adhering face up"),
     key(&STRIP, "section", Optional, choice!(SECTIONS, "\"ellipse\"", |s| &mut space(s).section), "in space: outline of the section").in_space(),
 
     key(&SPATULA, "pad_length", Optional, Kind::Quantity(Length, |s| &mut spatula(s).pad_length), "length of the flat pad at the tip").titled("length of the pad", ""),

@@ -15,6 +15,11 @@ pub trait Geometry: BeamGeometry {
     /// Its outline, to be kept by a beam.
     fn shared(&self) -> Arc<dyn BeamGeometry>;
 
+    /// Its thickness over the height h of its sections: 1, but of layers, whose h is twice the distance of the adhering face from the axis.
+    fn thickness_over_height(&self) -> f64 {
+        1.0
+    }
+
     /// Whether it is straight in its stress-free configuration, and its section the same everywhere.
     fn is_uniform(&self) -> bool {
         false

@@ -1,6 +1,7 @@
 //! What is peeled.
 
 pub(super) mod geometry;
+pub(super) mod laminate;
 pub(super) mod pieces;
 pub(crate) mod profile;
 pub(super) mod spatula;

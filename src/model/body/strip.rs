@@ -1,6 +1,7 @@
 //! A uniform strip of rectangular section, of which a part at the grip may not adhere.
 
 use super::geometry::Geometry;
+use super::laminate::Laminate;
 use crate::beam::section::Material;
 use crate::beam::varying::{BeamGeometry, SectionGeometry};
 use serde::{Deserialize, Serialize};
@@ -11,14 +12,25 @@ use std::sync::Arc;
 pub struct Strip {
     /// nm
     pub length: f64,
-    /// nm
+    /// h, nm; of layers [`Laminate::height`]
     pub height: f64,
     /// nm
     pub width: f64,
-    /// What it is made of
+    /// What it is made of; of layers [`Laminate::material`]
     pub material: Material,
+    /// The layers, where it has several
+    #[serde(default)]
+    pub layers: Option<Laminate>,
     /// Length at the grip that does not adhere, an initial crack, nm
     pub crack: Option<f64>,
+}
+
+impl Strip {
+    /// The same of layers: with their height and their material, and its own law of stretch.
+    pub fn of_layers(self, layers: Laminate) -> Self {
+        let material = Material { stretch: self.material.stretch, ..layers.material() };
+        Self { height: layers.height(), material, layers: Some(layers), ..self }
+    }
 }
 
 impl BeamGeometry for Strip {
@@ -46,6 +58,10 @@ impl Geometry for Strip {
 
     fn material(&self) -> Material {
         self.material
+    }
+
+    fn thickness_over_height(&self) -> f64 {
+        self.layers.map_or(1.0, |layers| layers.thickness() / self.height)
     }
 
     fn shared(&self) -> Arc<dyn BeamGeometry> {

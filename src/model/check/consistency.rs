@@ -93,9 +93,13 @@ fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
         (model.grip.pretension.is_some(), "`grip.pretension`"),
         (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),
     ];
-    let wrong = beside.into_iter().find(|(is_given, _)| *is_given);
-    let refused = |what| Err(ModelError::new("adhesion.shear_strength", ModelErrorKind::ShearBeside { what }));
-    wrong.map_or(Ok(()), |(_, what)| refused(what))
+    none_beside("adhesion.shear_strength", "a shear strength of the adhesion", &beside)
+}
+
+/// That a key is given beside none of these.
+fn none_beside(key: &'static str, with: &'static str, beside: &[(bool, &'static str)]) -> Result<(), ModelError> {
+    let wrong = beside.iter().find(|(is_given, _)| *is_given);
+    wrong.map_or(Ok(()), |&(_, what)| Err(ModelError::new(key, ModelErrorKind::Beside { what, with })))
 }
 
 /// That it has a strength, on flat ground, under the half space, and without a pretension.
@@ -159,7 +163,7 @@ fn ground(model: &PeelModel) -> Result<(), ModelError> {
 /// That of its body.
 fn body(model: &PeelModel) -> Result<(), ModelError> {
     match &model.body {
-        Body::Strip(strip) => strip_with_crack(strip, model),
+        Body::Strip(strip) => strip_with_crack(strip, model).and_then(|()| strip_of_layers(strip, model)),
         Body::Spatula(spatula) => spatula_tip(spatula),
         Body::Profile(_) => Ok(()),
     }
@@ -168,9 +172,9 @@ fn body(model: &PeelModel) -> Result<(), ModelError> {
 /// That a crack leaves a part that adheres, and that the rest of the scene is computed beside one.
 fn strip_with_crack(strip: &Strip, model: &PeelModel) -> Result<(), ModelError> {
     let Some(found) = strip.crack else { return Ok(()) };
-    let refused = |kind| Err(ModelError::new("strip.crack", kind));
     if found >= strip.length {
-        return refused(ModelErrorKind::CrackOfWholeLength { found, length: strip.length });
+        let kind = ModelErrorKind::CrackOfWholeLength { found, length: strip.length };
+        return Err(ModelError::new("strip.crack", kind));
     }
     let beside = [
         (model.space.is_some(), "a scene in space"),
@@ -178,8 +182,20 @@ fn strip_with_crack(strip: &Strip, model: &PeelModel) -> Result<(), ModelError> 
         (model.grip.pretension.is_some(), "a pretension"),
         (!model.ground.substrate.is_flat(), "ground that is not flat"),
     ];
-    let wrong = beside.into_iter().find(|(is_given, _)| *is_given);
-    wrong.map_or(Ok(()), |(_, what)| refused(ModelErrorKind::CrackBeside { what }))
+    none_beside("strip.crack", "an initial crack", &beside)
+}
+
+/// That layers are peeled in the plane off a cohesive law, which looks at the face alone.
+fn strip_of_layers(strip: &Strip, model: &PeelModel) -> Result<(), ModelError> {
+    let Some(layers) = strip.layers else { return Ok(()) };
+    if strip.of_layers(layers) != *strip {
+        return Err(ModelError::new("strip.layers", ModelErrorKind::NotOfLayers));
+    }
+    let beside = [
+        (model.space.is_some(), "a scene in space"),
+        (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
+    ];
+    none_beside("strip.layers", "layers", &beside)
 }
 
 /// That the tip is rounded within the pad and narrows, and that the bend ends on the shaft.
@@ -214,6 +230,7 @@ fn space(model: &PeelModel) -> Result<(), ModelError> {
     not(!model.ground.substrate.is_flat(), "substrate.shape", "the substrate is flat")?;
     not(model.friction.strength.is_some(), "friction.strength", "there is no friction")?;
     not(model.grip.pretension.is_some(), "grip.pretension", "the strip adheres without pretension")?;
+    not(!model.material().stretch.is_linear(), "strip.stretch", "the stretch is linear")?;
     let of_law = |error| ModelError::new("adhesion.law", ModelErrorKind::LawInSpace(error));
     model.spatial_section(space).map(drop).map_err(of_law)
 }

@@ -64,9 +64,9 @@ pub enum ModelErrorKind {
     /// The same beside a table of tractions.
     #[error("follows from the table of tractions")]
     BesideTable { found: Measured },
-    /// A shear strength beside something that is not computed with one.
-    #[error("is given beside {what}, which is not computed with a shear strength of the adhesion")]
-    ShearBeside { what: &'static str },
+    /// Something beside what is not computed with it.
+    #[error("is given beside {what}, which is not computed with {with}")]
+    Beside { what: &'static str, with: &'static str },
     /// A pretension of something that is not stretched.
     #[error(
         "stretches a strip on a flat substrate whose grip is constrained normal to the pull direction, and this scene has none"
@@ -141,9 +141,10 @@ pub enum ModelErrorKind {
     /// A crack as long as its strip.
     #[error("is {found} nm, and the strip is {length} nm long: nothing adheres")]
     CrackOfWholeLength { found: f64, length: f64 },
-    /// A crack beside something that is not computed with one.
-    #[error("is given beside {what}, which is not computed with an initial crack")]
-    CrackBeside { what: &'static str },
+
+    /// A strip whose height or material is not that of its layers.
+    #[error("gives the strip its height and its material, and these are others")]
+    NotOfLayers,
 
     /// A spatula rounded over more than its pad.
     #[error("is {found} nm, more than the pad is long ({pad} nm)")]
@@ -184,8 +185,8 @@ impl ModelErrorKind {
             | Self::TooLong { .. }
             | Self::Substrate(_)
             | Self::NotInSpace { .. }
-            | Self::CrackBeside { .. }
-            | Self::ShearBeside { .. }
+            | Self::Beside { .. }
+            | Self::NotOfLayers
             | Self::LawInSpace(_)
             | Self::StepOfFreeGrip { .. }
             | Self::StepOutOfPlane { .. }
@@ -252,7 +253,8 @@ impl ModelErrorKind {
             Self::LawInSpace(_) => "Use `law = \"body-force\"` or a cohesive law with `line_load = \"full\"`.",
             Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",
             Self::CrackOfWholeLength { .. } => "Give a crack that is shorter than the strip: the rest adheres.",
-            Self::CrackBeside { .. } | Self::ShearBeside { .. } => "Remove one of the two.",
+            Self::NotOfLayers => "Make the strip of its layers once more: `strip.of_layers(layers)`.",
+            Self::Beside { .. } => "Remove one of the two.",
             Self::RoundingBeyondPad { .. } => "Round the pad at most: `tip_rounding_length` not above `pad_length`.",
             Self::RoundingWiderThanTip { .. } => {
                 "A rounded tip is narrower at its end: `tip_rounding_width` not above `tip_width`."

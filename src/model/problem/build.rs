@@ -232,7 +232,7 @@ impl PeelModel {
     pub(super) fn profile(&self) -> Profile {
         let (width, height) = self.free_end();
         match self.contour() {
-            None => Profile::uniform(self.section(), width, height),
+            None => Profile::stretched(self.section(), self.material().stretch, width, height),
             Some(contour) => Profile::Varying(Varying::new(contour, self.material())),
         }
     }

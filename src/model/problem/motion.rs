@@ -101,6 +101,8 @@ impl PeelModel {
             (!self.steps.is_empty(), "a step before the pull"),
             (self.pull.turn != 0.0, "a grip that turns as it goes"),
             (self.grip.pretension.is_some(), "a pretension"),
+            (!self.material().stretch.is_linear(), "a stretch that is not linear"),
+            (self.strip().is_some_and(|strip| strip.layers.is_some()), "layers"),
         ];
         if let Some((_, what)) = not_covered.into_iter().find(|(is_there, _)| *is_there) {
             return Err(NotInTime::NotCovered { what });

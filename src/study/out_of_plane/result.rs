@@ -88,6 +88,12 @@ pub enum NotOutOfPlane {
         "adhesion.shear_strength holds the strip along the substrate, and what it does out of the plane is not computed"
     )]
     Shear,
+    #[error("strip.stretch is not linear, and what such a strip does out of the plane is not computed")]
+    Stretch,
+    #[error(
+        "strip.layers make the section one of several materials, and what it does out of the plane is not computed"
+    )]
+    Layers,
     #[error(
         "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): stability \
          is not that of an energy"
@@ -107,6 +113,8 @@ impl NotOutOfPlane {
             (!model.ground.substrate.is_flat(), Self::Ground),
             (model.friction_law().is_some(), Self::Friction),
             (model.adhesion.shear_strength.is_some(), Self::Shear),
+            (!model.material().stretch.is_linear(), Self::Stretch),
+            (model.strip().is_some_and(|strip| strip.layers.is_some()), Self::Layers),
             (!model.line_law().has_potential(), Self::NoPotential),
         ];
         reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
@@ -121,6 +129,8 @@ impl NotOutOfPlane {
             Self::Ground => "remove the table [substrate]",
             Self::Friction => "remove the table [friction]",
             Self::Shear => "remove adhesion.shear_strength",
+            Self::Stretch => "remove strip.stretch",
+            Self::Layers => "remove strip.layers",
             Self::NoPotential => "use another line_load or law",
         };
         format!("Omit --out-of-plane, or {change}.")

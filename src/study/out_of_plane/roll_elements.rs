@@ -7,9 +7,9 @@
 
 use super::roll_section::{RollDensity, RollSection};
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::lateral_stiffness::LateralStiffness;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::section::Material;
+use crate::beam::torsion::LateralStiffness;
 use crate::model::peel::{Hold, PeelModel};
 use crate::number::gauss::gauss_legendre;
 use crate::solve::problem::Direction;

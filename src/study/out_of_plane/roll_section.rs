@@ -23,8 +23,8 @@
 
 use crate::adhesion::section::response::LineResponse;
 use crate::beam::element::energy_density::SectionState;
-use crate::beam::lateral_stiffness::LateralStiffness;
 use crate::beam::section::Material;
+use crate::beam::torsion::LateralStiffness;
 use crate::beam::varying::SectionGeometry;
 
 /// Below this |sin θ| the quotient Ψ_θ/sin θ is taken for its limit Ψ_θθ: products with a smaller number lose digits.

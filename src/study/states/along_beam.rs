@@ -164,11 +164,12 @@ impl<'p> PlanarReader<'p> {
         }
     }
 
-    /// ½(N²/EA + Q²/GA_s + M²/EI), nN.
+    /// w + ½(Q²/GA_s + M²/EI), nN, with w = ½N²/EA where the stretch is linear.
     fn stored(&self, state: &SectionState, section: &Section, [sin, cos]: [f64; 2]) -> f64 {
         let normal = state.horizontal_force * cos + state.vertical_force * sin;
         let shear = state.vertical_force * cos - state.horizontal_force * sin;
-        0.5 * (normal.powi(2) / section.axial + shear.powi(2) / section.shear + state.moment.powi(2) / section.bending)
+        let stretched = self.model.material().stretch.energy(section.axial, normal);
+        stretched + 0.5 * (shear.powi(2) / section.shear + state.moment.powi(2) / section.bending)
     }
 
     /// The traction of friction on the ground, GPa.

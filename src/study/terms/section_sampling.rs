@@ -7,6 +7,7 @@ use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::planar::chain::Configuration;
 use crate::beam::planar::planar_beam::PlanarBeam;
 use crate::beam::section::Section;
+use crate::beam::stretch_law::StretchLaw;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::number::gauss::Rule;
@@ -28,6 +29,7 @@ pub(super) struct SectionSampling<'a> {
 /// What a term sees of the beam at one place.
 pub(super) struct Point {
     section: Section,
+    stretch: StretchLaw,
     pub width: f64,
     pub height: f64,
     /// Of the axis along the substrate, from the free end where x is no unknown
@@ -138,6 +140,7 @@ impl<'a> SectionSampling<'a> {
                 };
                 let point = Point {
                     section,
+                    stretch: self.model.material().stretch,
                     width,
                     height,
                     x,
@@ -181,9 +184,9 @@ impl Point {
         0.5 * self.shear * self.shear / self.section.shear
     }
 
-    /// ½ N²/EA
+    /// N Γ1 - w: ½ N²/EA where the stretch is linear.
     pub fn extension(&self) -> f64 {
-        0.5 * self.normal * self.normal / self.section.axial
+        self.stretch.complementary_energy(self.section.axial, self.normal)
     }
 
     /// x_b of the face that looks down, nm.

@@ -28,7 +28,7 @@ pub enum WarningKind {
     FoldedSideways,
     /// Length over height.
     ShortBeam,
-    /// Largest strain on the path: of the faces, |Γ1| + |κ - κ0| h/2, or of shear, |Γ2|. In space of the corners, |Γ1| + |κ2| h/2 + |κ3| b/2,
+    /// Largest strain on the path: of the faces, |Γ1| + |κ - κ0| h/2, without Γ1 where its law is one of large strains, or of shear, |Γ2|. In space of the corners, |Γ1| + |κ2| h/2 + |κ3| b/2,
     /// or of shear with that of torsion.
     LargeStrain,
     /// Height of the ground, from crest to valley, over r0.
@@ -122,7 +122,7 @@ impl Peel {
     /// at the point of the path at which neighbouring nodes turn most against each other, and at that of the largest force.
     pub fn warnings(&self) -> Vec<Warning> {
         let model = &self.model;
-        let height = model.free_end().1;
+        let height = model.free_end().1 * model.thickness_over_height();
         let below = |kind, value: f64, limit: f64| (value < limit).then_some(Warning { kind, value, limit });
         let above = |kind, value: f64, limit: f64| (value > limit).then_some(Warning { kind, value, limit });
         let Largest { folded, folded_sideways, strained } = self.largest_bend_and_strain();
@@ -174,9 +174,13 @@ impl Peel {
         let (Section { axial, shear, bending }, _, height) = self.model.section_at(node.position);
         let (sin, cos) = node.values[beam.rotation].sin_cos();
         let [horizontal, vertical] = [node.section.horizontal_force, node.section.vertical_force];
-        let stretch = ((horizontal * cos + vertical * sin) / axial).abs();
+        let normal = horizontal * cos + vertical * sin;
+        // a law of large strains holds for them
+        let stretch = if self.model.material().stretch.is_linear() { (normal / axial).abs() } else { 0.0 };
         let slide = ((vertical * cos - horizontal * sin) / shear).abs();
-        let bent = (node.section.moment / bending).abs() * 0.5 * height;
+        // of layers the upper face is not as far from the axis as the lower one
+        let farther = (self.model.thickness_over_height() - 0.5).max(0.5);
+        let bent = (node.section.moment / bending).abs() * farther * height;
         let folded = node.section.curvature.abs() * 0.5 * height;
         Largest { folded, folded_sideways: 0.0, strained: slide.max(stretch + bent) }
     }

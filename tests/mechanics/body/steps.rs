@@ -317,7 +317,7 @@ fn a_tape_that_is_bent_to_a_loop_has_its_first_integral() {
         ..Adhesion::default()
     };
     let equilibrium_distance = law.distance_of_work_and_strength().unwrap();
-    let strip = Strip { length: 3e7, height, width, material, crack: None };
+    let strip = Strip { length: 3e7, height, width, material, crack: None, layers: None };
     let grip = Grip { rotation: Hold::Fixed, horizontal: Hold::Fixed, ..Grip::FREE };
     let (mm, quarter) = (1e6, FRAC_PI_4);
     let steps = [

@@ -24,7 +24,8 @@ const STRENGTH: f64 = 1e-3;
 const WIDTH: f64 = 2e7;
 
 fn tape(attraction: Attraction) -> PeelModel {
-    let strip = Strip { length: 5e6, height: 5e4, width: WIDTH, material: Material::of(2.0, 0.35), crack: None };
+    let strip =
+        Strip { length: 5e6, height: 5e4, width: WIDTH, material: Material::of(2.0, 0.35), crack: None, layers: None };
     let known = attraction.takes_work_and_strength();
     let [work, strength] = [WORK, STRENGTH].map(|value| known.then_some(value));
     let law = Adhesion { attraction, work, strength, ..Adhesion::default() };

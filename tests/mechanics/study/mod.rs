@@ -1,5 +1,6 @@
 //! Whole peels: how they end, how far they may be wrong, what a test records of them.
 
+mod backing;
 mod choice;
 mod curve;
 mod ends;

@@ -21,7 +21,14 @@ const WIDTH: f64 = 2e7;
 const LENGTH: f64 = 2e7;
 
 fn tape(shear_strength: f64) -> PeelModel {
-    let strip = Strip { length: LENGTH, height: 5e4, width: WIDTH, material: Material::of(2.0, 0.35), crack: None };
+    let strip = Strip {
+        length: LENGTH,
+        height: 5e4,
+        width: WIDTH,
+        material: Material::of(2.0, 0.35),
+        crack: None,
+        layers: None,
+    };
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         work: Some(WORK),

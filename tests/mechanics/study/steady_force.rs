@@ -15,7 +15,8 @@ const ASKED: f64 = 1e-5;
 
 /// 1 mm by 20 µm by 1 mm of silicone rubber.
 pub(super) fn tape() -> PeelModel {
-    let strip = Strip { length: 1e6, height: 2e4, width: 1e6, material: Material::of(2e-3, 0.49), crack: None };
+    let strip =
+        Strip { length: 1e6, height: 2e4, width: 1e6, material: Material::of(2e-3, 0.49), crack: None, layers: None };
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         work: Some(0.2),

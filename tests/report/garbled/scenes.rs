@@ -38,6 +38,13 @@ fn with_value(key: &Key, value: &str) -> String {
     let cracked = key.name == "crack";
     let fits = |other: &&Key| fits(other) && (stretched && !cracked || other.name != "pretension");
     let fits = |other: &&Key| fits(other) && (cracked || other.name != "crack");
+    // layers stand in place of what they give, and a law of stretch is that of a strip in the plane
+    let layered = key.name == "layers";
+    const GIVEN: [&str; 5] =
+        ["height", "youngs_modulus", "poissons_ratio", "shear_correction", "bending_stiffness_factor"];
+    let given = |other: &Key| other.table == BODIES[0] && GIVEN.contains(&other.name);
+    let fits = |other: &&Key| fits(other) && if layered { !given(other) } else { other.name != "layers" };
+    let fits = |other: &&Key| fits(other) && (other.name != "stretch" || key.name == "stretch");
     // a shear strength is refused beside much else
     let held = key.name == "shear_strength";
     let fits = |other: &&Key| {

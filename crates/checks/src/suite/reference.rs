@@ -1,6 +1,7 @@
 //! The tables of `verification/`, built into the program so that a check needs no file and no Python.
 
 use peelkit::adhesion::LineLoad;
+use peelkit::beam::StretchLaw;
 use peelkit::model::{Attraction, Friction, Hold, PeelModel, Step, StripModel};
 use std::collections::HashMap;
 
@@ -43,12 +44,18 @@ impl Row {
             }
         }
         grip.pretension = self.number("pretension_nN");
-        adhesion.shear_strength = self.number("shear_strength_GPa");
+        adhesion.shear_strength = self.number("shear_strength_GPa").filter(|&strength| strength > 0.0);
         let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
         let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
         if let Some(word) = self.text("law") {
             adhesion.attraction = Attraction::named(word)?;
         }
+        let stretches = [
+            ("linear", StretchLaw::Linear),
+            ("neo-hookean", StretchLaw::NeoHookean),
+            ("neo-hookean-wide", StretchLaw::NeoHookeanWide),
+        ];
+        self.pick("stretch", &stretches, &mut strip.material.stretch)?;
         self.pick("grip_rotation", &holds, &mut grip.rotation)?;
         self.pick("grip_horizontal", &holds, &mut grip.horizontal)?;
         self.pick("grip_across", &holds, &mut grip.horizontal)?;

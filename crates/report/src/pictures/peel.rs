@@ -146,7 +146,7 @@ pub fn shapes<'h>(
         .filter_map(|(n, &i)| {
             let Pose { displacement, force, axis } = pose(peel, i)?;
             let force = if force.abs() > 1e-6 * largest { force } else { 0.0 };
-            Some(Posed { number: n + 1, displacement, force, axis })
+            Some(Posed { number: n + 1, displacement, force, axis, thickness: peel.model.thickness_over_height() })
         })
         .filter(|posed| posed.axis.x.len() > 1)
         .collect();

@@ -14,11 +14,12 @@ impl Record for DerivedQuantities {
         of.field("strength_GPa", "largest traction σ of the law", |model| model.strength.and_then(finite));
         of.field("equilibrium_gap_nm", "gap of a flat face at rest", |model| finite(model.equilibrium_gap));
         of.field("work_of_adhesion_of_section_J_per_m2", "w of this section: less what the attraction of the upper surface takes off. Kendall's force and the groups are made of this one", |model| of_section(model, |section| section.work_of_adhesion));
-        of.field("kendall_force_nN", "steady force of a film that is bonded without slip, P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull to the strip", |model| of_section(model, |section| section.kendall_force));
+        of.field("kendall_force_nN", "steady force of a film that is bonded without slip, P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull to the strip, or that of its strip.stretch", |model| of_section(model, |section| section.kendall_force));
         of.field("sliding_force_nN", "steady force of a film that slides along the substrate without friction, P² sin² φ/(2 E h b²) + (P/b)(1 - cos φ) = w; null in space", |model| model.section.as_ref()?.sliding_force.and_then(finite));
         of.field("axial_stiffness_EA_nN", "EA", |model| of_section(model, |section| section.stiffness.axial));
         of.field("shear_stiffness_GAs_nN", "GA_s", |model| of_section(model, |section| section.stiffness.shear));
         of.field("bending_stiffness_EI_nN_nm2", "EI", |model| of_section(model, |section| section.stiffness.bending));
+        of.field("neutral_axis_nm", "height of the axis above the adhering face at rest: half of the height, but of layers", |model| of_section(model, |section| section.neutral_axis));
         of.field("process_length_nm", "length ℓ of the process zone: the lesser of (EI/k)^(1/4) and 3 (GA_s/k)^(1/2), k the stiffness of the adhesion at rest", |model| of_section(model, |section| section.process_length));
         of.field("shear_lag_length_nm", "(EA/(b k))^(1/2), over which a force along the substrate goes over into it, k the stiffness there; null where the strip slides freely", |model| model.section.as_ref()?.shear_lag_length.and_then(finite));
         of.field("elasto_adhesive_length_nm", "(EI/(w b))^(1/2)", |model| of_section(model, |section| section.elasto_adhesive_length));

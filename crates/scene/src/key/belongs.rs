@@ -1,7 +1,7 @@
 //! Which keys a scene may hold, and what is said of the others.
 
 use super::kind::{Key, Kind};
-use super::table::{ADHESION, SETA, SETAE, SUBSTRATE};
+use super::table::{ADHESION, SETA, SETAE, STRIP, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
@@ -23,8 +23,8 @@ enum Misfit {
     Law,
     /// It follows from the table of the law.
     OfTable,
-    /// It follows from the law of its setae.
-    OfSeta,
+    /// It follows from another key of its table.
+    Follows(&'static str),
     /// Its beam, or its seta, has another key in place of this one.
     Beside(&'static str, &'static str),
 }
@@ -53,7 +53,11 @@ impl Key {
             return Some(Misfit::Shape);
         }
         if follows_from_law(scene, self) {
-            return Some(Misfit::OfSeta);
+            return Some(Misfit::Follows("law"));
+        }
+        let has_layers = scene.model.strip().is_some_and(|strip| strip.layers.is_some());
+        if has_layers && self.table == STRIP.name && BY_LAYERS.contains(&self.name) {
+            return Some(Misfit::Follows("layers"));
         }
         if self.table == SETA.name
             && let Some(other) = in_place_of(scene, self.name)
@@ -148,9 +152,10 @@ impl Key {
                 "is given beside `law` = \"table\", from whose rows it follows",
                 format!("Remove `{name}`, or use another `law`."),
             ),
-            Misfit::OfSeta => {
-                ValueError::new("is given beside `law`, from which it follows", format!("Remove `{name}`, or `law`."))
-            }
+            Misfit::Follows(other) => ValueError::new(
+                format!("is given beside `{other}`, from which it follows"),
+                format!("Remove `{name}`, or `{other}`."),
+            ),
             Misfit::Beside(other, body) => ValueError::new(
                 format!("is given beside `{table}.{other}`, and the {body} has one geometry"),
                 format!("Remove one of `{name}` and `{other}`."),
@@ -158,6 +163,10 @@ impl Key {
         }
     }
 }
+
+/// Keys of `strip` which its layers give.
+const BY_LAYERS: [&str; 5] =
+    ["height", "youngs_modulus", "poissons_ratio", "shear_correction", "bending_stiffness_factor"];
 
 // -- Lists of a seta, and its tree, in place of other keys --
 

@@ -2,6 +2,7 @@
 
 use crate::scene::Scene;
 use peelkit::adhesion::{CohesiveShape, LineLoad, Measured, SectionShape, TractionTable};
+use peelkit::beam::StretchLaw;
 use peelkit::model::{Attraction, Hold, Start};
 use peelkit::study::{FollowedUntil, Terms};
 
@@ -14,6 +15,11 @@ pub(crate) const STARTS: Named<Start> = &[("conformed", Start::Conformed), ("fla
 pub(crate) const TERMS: Named<Terms> = &[("all", Terms::All), ("auto", Terms::Auto)];
 pub(crate) const SECTIONS: Named<SectionShape> =
     &[("rectangle", SectionShape::Rectangle), ("ellipse", SectionShape::Ellipse)];
+pub(crate) const STRETCHES: Named<StretchLaw> = &[
+    ("linear", StretchLaw::Linear),
+    ("neo-hookean", StretchLaw::NeoHookean),
+    ("neo-hookean-wide", StretchLaw::NeoHookeanWide),
+];
 pub(crate) const HOLDS: Named<Hold> = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 pub(crate) const ENDS: Named<FollowedUntil> = &FollowedUntil::NAMED;
 

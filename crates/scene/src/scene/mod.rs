@@ -254,5 +254,11 @@ impl Scene {
 }
 
 /// The defaults of a strip; what has none is NaN until a text gives it.
-pub(crate) const UNKNOWN_STRIP: Strip =
-    Strip { length: f64::NAN, height: f64::NAN, width: 1.0, material: Material::of(f64::NAN, 0.2), crack: None };
+pub(crate) const UNKNOWN_STRIP: Strip = Strip {
+    length: f64::NAN,
+    height: f64::NAN,
+    width: 1.0,
+    material: Material::of(f64::NAN, 0.2),
+    crack: None,
+    layers: None,
+};

@@ -257,6 +257,14 @@ impl Wrong<'_> {
     fn profiles(&self) -> Checked {
         for (column, free) in self.table.columns() {
             let name = column.word();
+            let strip = self.scene.model.strip();
+            if strip.is_some_and(|strip| strip.layers.is_some() || strip.crack.is_some()) {
+                return refuse(
+                    name,
+                    "is free, and a strip of layers or with a crack has one section all along",
+                    "Remove `layers` and `crack` from [strip], or this key.",
+                );
+            }
             if matches!(self.scene.model.body, Body::Spatula(_)) {
                 return refuse(
                     name,

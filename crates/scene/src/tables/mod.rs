@@ -4,6 +4,7 @@ pub(crate) mod array;
 mod bounded;
 pub(crate) mod branching;
 pub(crate) mod fit;
+pub(crate) mod layers;
 pub(crate) mod measured;
 pub(crate) mod optimise;
 pub(crate) mod output;

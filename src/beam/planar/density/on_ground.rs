@@ -47,7 +47,7 @@ impl EnergyDensity<3> for BeamOnGround {
         let adhesion = self.ground.response(station.height, [x, gap], [sin, cos]);
         let b = station.width;
         let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station.section, rotation, slopes, station.curvature);
+        let mut response = stored(&station, rotation, slopes);
         response.adhesion = adhesion.energy * b;
         response.energy = response.energy + response.adhesion;
         for f in 0..3 {

@@ -1,13 +1,14 @@
 //! Reissner's geometrically exact planar beam, three unknowns a node: x, gap, rotation.
 //!
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
-//! length, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
+//! length, or w(Γ1) of another [`StretchLaw`] in place of the first, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::line_load::LineLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
 use crate::beam::reference_configuration::ReferenceCurve;
-use crate::beam::section::Section;
+use crate::beam::section::{Section, SectionAt};
+use crate::beam::stretch_law::{StretchLaw, StretchResponse};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
@@ -30,21 +31,21 @@ pub(super) const COUPLING: Coupling<3> = Coupling {
     slope_slope: [[true, true, false], [true, true, false], [false, false, true]],
 };
 
-/// The stored energy at one point and its derivatives, for a rotation θ, the slopes x', y', θ' and the rest curvature κ0.
+/// The stored energy at one point and its derivatives, for a rotation θ and the slopes x', y', θ'.
 #[inline(always)]
 pub(super) fn stored<T: Real>(
-    section: &Section<T>,
+    &SectionAt { ref section, stretch, curvature, .. }: &SectionAt<T>,
     rotation: T,
     slopes: [T; 3],
-    rest_curvature: T,
 ) -> PointResponse<T, 3> {
-    stored_from(section, rotation, slopes, [T::splat(0.0), T::splat(0.0), rest_curvature])
+    stored_from(section, stretch, rotation, slopes, [T::splat(0.0), T::splat(0.0), curvature])
 }
 
 /// The same of strains that count from known ones, Γ1, Γ2 and θ'.
 #[inline(always)]
 pub(super) fn stored_from<T: Real>(
     &Section { axial, shear, bending }: &Section<T>,
+    law: StretchLaw,
     rotation: T,
     [dx, dy, turn]: [T; 3],
     [known_stretch, known_slide, known_turn]: [T; 3],
@@ -55,14 +56,15 @@ pub(super) fn stored_from<T: Real>(
     // ∂Γ1/∂θ = Γ2 and ∂Γ2/∂θ = -(1 + Γ1)
     let stretch_t = dy * cos - dx * sin;
     let (stretch, slide) = (whole_stretch - known_stretch, stretch_t - known_slide);
-    let (n, q) = (stretch * axial, slide * shear);
+    let StretchResponse { force: n, stiffness: axial, energy } = law.at(axial, stretch);
+    let q = slide * shear;
     let (horizontal, vertical) = (n * cos - q * sin, n * sin + q * cos);
     let horizontal_t = stretch_t * cos * axial - slide_t * sin * shear - vertical;
     let vertical_t = stretch_t * sin * axial + slide_t * cos * shear + horizontal;
     let rotation_rotation = stretch_t * stretch_t * axial + slide_t * slide_t * shear + n * slide_t - q * stretch_t;
 
     let mut response = PointResponse::zero();
-    response.energy = (n * stretch + q * slide + curvature * curvature * bending) * 0.5;
+    response.energy = (energy * 2.0 + q * slide + curvature * curvature * bending) * 0.5;
     response.by_value[2] = n * stretch_t + q * slide_t;
     response.by_slope = [horizontal, vertical, curvature * bending];
     response.value_value[2][2] = rotation_rotation;
@@ -82,13 +84,14 @@ pub(super) fn stored_from<T: Real>(
 /// The section at the rotation θ under the forces H, V and the moment M.
 pub(super) fn section_from_forces(
     &Section { axial, shear, bending }: &Section,
+    law: StretchLaw,
     rotation: f64,
     [horizontal, vertical, moment]: [f64; 3],
     rest_curvature: f64,
 ) -> SectionState {
     let (sin, cos) = rotation.sin_cos();
     let (n, q) = (horizontal * cos + vertical * sin, vertical * cos - horizontal * sin);
-    let (stretch, slide) = (n / axial, q / shear);
+    let (stretch, slide) = (law.strain(n / axial), q / shear);
     SectionState {
         horizontal_slope: (1.0 + stretch) * cos - slide * sin,
         vertical_slope: (1.0 + stretch) * sin + slide * cos,
@@ -96,7 +99,7 @@ pub(super) fn section_from_forces(
         vertical_force: vertical,
         moment,
         curvature: moment / bending + rest_curvature,
-        stored: 0.5 * (n * stretch + q * slide + moment * moment / bending),
+        stored: 0.5 * (2.0 * law.energy(axial, n) + q * slide + moment * moment / bending),
     }
 }
 
@@ -116,7 +119,7 @@ impl EnergyDensity<3> for ReissnerBeam {
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
         let b = station.width;
         let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station.section, rotation, slopes, station.curvature);
+        let mut response = stored(&station, rotation, slopes);
         response.adhesion = adhesion.energy * b;
         response.energy = response.energy + response.adhesion;
         response.by_value[1] = adhesion.by_gap * b;
@@ -176,13 +179,13 @@ impl Profile {
     pub(super) fn section_state(&self, place: f64, rotation: f64, [dx, gap_slope, turn]: [f64; 3]) -> SectionState {
         let station = self.at(place);
         let slopes = [dx, gap_slope + station.rise, turn];
-        section_of(&stored(&station.section, rotation, slopes, station.curvature), slopes)
+        section_of(&stored(&station, rotation, slopes), slopes)
     }
 
     /// The same section under the forces H, V and the moment M.
     pub(super) fn section_state_from_forces(&self, place: f64, rotation: f64, forces: [f64; 3]) -> SectionState {
         let station = self.at(place);
-        section_from_forces(&station.section, rotation, forces, station.curvature)
+        section_from_forces(&station.section, station.stretch, rotation, forces, station.curvature)
     }
 }
 
@@ -206,7 +209,8 @@ impl EnergyDensity<3> for ReissnerRod {
     #[inline(always)]
     fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let [k0, k1, k2] = self.rest.curvature;
-        stored(&self.section.splat(), value[2], slope, place * (place * k2 + k1) + k0)
+        let known = [T::splat(0.0), T::splat(0.0), place * (place * k2 + k1) + k0];
+        stored_from(&self.section.splat(), StretchLaw::Linear, value[2], slope, known)
     }
 
     fn section_state(&self, place: f64, value: [f64; 3], slope: [f64; 3], _: f64) -> SectionState {
@@ -214,6 +218,7 @@ impl EnergyDensity<3> for ReissnerRod {
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
-        section_from_forces(&self.section, value[2], forces, self.rest.curvature_at(place))
+        let curvature = self.rest.curvature_at(place);
+        section_from_forces(&self.section, StretchLaw::Linear, value[2], forces, curvature)
     }
 }

@@ -49,7 +49,7 @@ impl EnergyDensity<3> for ShearedBeam {
     fn response<T: Real>(&self, place: T, value: [T; 3], [dx, gap_slope, turn]: [T; 3], _: f64) -> PointResponse<T, 3> {
         let station = self.profile.at(place);
         let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station.section, value[2], slopes, station.curvature);
+        let mut response = stored(&station, value[2], slopes);
         add(&mut response, &self.adhesion(place, value, station.height), station.width);
         response
     }

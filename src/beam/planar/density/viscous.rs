@@ -11,6 +11,7 @@
 use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::section::Section;
+use crate::beam::stretch_law::StretchLaw;
 use crate::number::Real;
 
 /// A density of three fields that knows the elastic stiffness of its sections.
@@ -64,7 +65,8 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
         let &Point { place, value, slope: [dx, dy, turn], memory: [stretch, slide, bend, factor, ..] } = point;
         let (Section { axial, shear, bending }, rise) = self.0.stiffness_at(place);
         let section = Section { axial: axial * factor, shear: shear * factor, bending: bending * factor };
-        let viscous = stored_from(&section, value[2], [dx, dy + rise, turn], [stretch, slide, bend]);
+        let viscous =
+            stored_from(&section, StretchLaw::Linear, value[2], [dx, dy + rise, turn], [stretch, slide, bend]);
         response.energy = response.energy + viscous.energy;
         for f in 0..3 {
             response.by_value[f] = response.by_value[f] + viscous.by_value[f];

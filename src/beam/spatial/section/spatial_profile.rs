@@ -1,7 +1,7 @@
 //! The sections of a beam in space, from place to place, and their stiffness.
 
-use crate::beam::lateral_stiffness::LateralStiffness;
 use crate::beam::section::{Material, SectionAt};
+use crate::beam::torsion::LateralStiffness;
 use crate::beam::varying::Varying;
 use crate::number::Real;
 
@@ -26,7 +26,7 @@ impl SpatialStiffness {
     /// Of a section of area A (nm²) with the second moments I2 = ∫ (height)² dA and I3 = ∫ (width)² dA and the torsion constant J (nm⁴), of one
     /// isotropic material.
     pub fn isotropic(material: &Material, area: f64, [second, third]: [f64; 2], torsion_constant: f64) -> Self {
-        let Material { youngs_modulus: e, poissons_ratio, shear_correction, bending_stiffness_factor } = *material;
+        let Material { youngs_modulus: e, poissons_ratio, shear_correction, bending_stiffness_factor, .. } = *material;
         let g = e / (2.0 * (1.0 + poissons_ratio));
         let shear = shear_correction * g * area;
         let bending = [e * second * bending_stiffness_factor, e * third];

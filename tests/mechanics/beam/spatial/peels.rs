@@ -76,8 +76,7 @@ impl Strip {
                 (PI * b * b / 4.0, [second; 2], 2.0 * second, 0.9)
             }
         };
-        let material =
-            Material { youngs_modulus: 2.0, poissons_ratio: 0.2, shear_correction, bending_stiffness_factor: 1.0 };
+        let material = Material { shear_correction, ..Material::of(2.0, 0.2) };
         let stiffness = SpatialStiffness::isotropic(&material, area, second, torsion);
         let process_length = 0.7 * (4.0 * stiffness.0[4][4] / at_rest.hessian[0]).powf(0.25);
         let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };

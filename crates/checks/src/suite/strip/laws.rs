@@ -13,7 +13,7 @@ use std::f64::consts::FRAC_PI_2;
 
 pub(in crate::suite) const TOPIC: Topic = Topic {
     name: "laws",
-    about: "other laws of adhesion, with a shear strength too: collocation, steady force of those with a potential, initial cracks",
+    about: "other laws of adhesion, with a shear strength too, and strips of rubber: collocation, steady force of those with a potential, initial cracks",
     checks,
 };
 
@@ -44,6 +44,18 @@ const SHEARED: Turns = Turns {
         ("length_nm", "L = ", " nm"),
     ],
 };
+const STRETCHED: Turns = Turns {
+    table: include_str!("../../../verification/stretched.csv"),
+    source: "verification/stretched.py: collocation",
+    named: &[
+        ("stretch", "", ""),
+        ("youngs_modulus_GPa", "E = ", " GPa"),
+        ("shear_strength_GPa", "shear strength ", " GPa"),
+        ("grip_rotation", "rotation ", ""),
+        ("grip_across", "normal to the pull ", ""),
+        ("pull_angle_deg", "", " degrees"),
+    ],
+};
 /// Length of the strips that peel steadily, nm.
 const LONG: f64 = 1000.0;
 const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
@@ -51,6 +63,7 @@ const BOUNDS: StopCriteria = StopCriteria::after_points(20_000);
 fn checks() -> Vec<Check> {
     let mut checks = TABLE.checks();
     checks.extend(SHEARED.checks());
+    checks.extend(STRETCHED.checks());
     checks.extend(CohesiveShape::ALL.par_iter().map(|&shape| steady(shape)).collect::<Vec<_>>());
     checks.extend(of_cracks());
     checks
@@ -89,11 +102,18 @@ const ARM: Strip = Strip {
     width: 2e7,
     material: Material { shear_correction: 5.0 / 6.0 * 5.2 / (135.3 / 2.48), ..Material::of(135.3, 0.24) },
     crack: None,
+    layers: None,
 };
 const HALF_OF_THE_WORK: f64 = 140.0;
 /// One arm of scenes/t-peel.toml, its work and its strength.
-const FILM: Strip =
-    Strip { length: 1.5e7, height: 7.5e4, width: 2.5e7, material: Material::of(3.5, 0.35), crack: Some(5e6) };
+const FILM: Strip = Strip {
+    length: 1.5e7,
+    height: 7.5e4,
+    width: 2.5e7,
+    material: Material::of(3.5, 0.35),
+    crack: Some(5e6),
+    layers: None,
+};
 const FILM_WORK: f64 = 100.0;
 const FILM_STRENGTH: f64 = 0.5;
 const NM_PER_MM: f64 = 1e6;

@@ -123,5 +123,5 @@ fn of_seta(args: &Coarsen, scene: &Scene) -> Result<(), Stop> {
         bar: Bar::spinner("pulling the root of the seta"),
         answer: Some("stopping at the next equilibrium of the seta; Ctrl-C again stops at once"),
     };
-    drive.run(&coarsening, |outcome| text_summary::seta_law::seta_law(&scene.title, &outcome.found))
+    drive.run(&coarsening, |outcome| text_summary::seta::seta_law(&scene.title, &outcome.found))
 }

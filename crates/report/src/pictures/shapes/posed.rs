@@ -22,6 +22,8 @@ pub(in crate::pictures) struct Posed {
     /// nN
     pub force: f64,
     pub axis: study::DeformedShape,
+    /// Thickness of the beam over twice the distance of its lower face from its axis
+    pub thickness: f64,
 }
 
 /// Most pixels that the panel may be high.
@@ -33,7 +35,7 @@ const LOWEST: f64 = 0.4;
 /// The beam at all those points, the axes of equal scale.
 pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, heading: Heading) -> Picture {
     let Heading { title, units } = heading;
-    let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis)).collect();
+    let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis, p.thickness)).collect();
     let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());
     let (low, high) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.0), b.max(p.0)));
     let (bottom, top) = all().fold((0.0f64, 0.0f64), |(a, b), p| (a.min(p.1), b.max(p.1)));
@@ -61,8 +63,8 @@ pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, h
     Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }.in_units(units)
 }
 
-/// The rim of the beam: its axis moved by half the height along the normal of the section, to either side.
-fn outline(axis: &study::DeformedShape) -> Vec<(f64, f64)> {
+/// The rim of the beam: its axis moved along the normal of the section, by half the height down and by the rest of the thickness up.
+fn outline(axis: &study::DeformedShape, thickness: f64) -> Vec<(f64, f64)> {
     let side = |part: f64| {
         let sections = axis.x.iter().zip(&axis.y).zip(axis.rotation.iter().zip(&axis.height));
         let edge = move |((x, y), (turn, height)): ((&f64, &f64), (&f64, &f64))| {
@@ -71,7 +73,7 @@ fn outline(axis: &study::DeformedShape) -> Vec<(f64, f64)> {
         sections.map(edge).collect::<Vec<_>>()
     };
     let mut rim = side(-0.5);
-    rim.extend(side(0.5).into_iter().rev());
+    rim.extend(side(thickness - 0.5).into_iter().rev());
     rim.extend(rim.first().copied());
     rim
 }
