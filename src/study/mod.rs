@@ -45,15 +45,15 @@ pub use initial::stability::RelaxedStart;
 pub use out_of_plane::branch::result::{BranchStart, OutOfPlaneBranch, OutOfPlaneBranchError};
 pub use out_of_plane::result::{NotOutOfPlane, OutOfPlane, OutOfPlaneError, OutOfPlaneLoss};
 pub use out_of_plane::width_range::{WidthLimit, WidthRange};
-pub use parameters::fit::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
+pub use parameters::fit::curves::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
+pub use parameters::fit::curves::pulled_curve::PulledCurve;
 pub use parameters::fit::problem::{
-    CurveBy, CurveOf, DisplacementError, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
+    CurveBy, CurveOf, DisplacementError, FitCurve, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
     ProfileChoice,
 };
-pub use parameters::fit::pulled_curve::PulledCurve;
 pub use parameters::fit::result::{
-    Combination, Fit, FitDataError, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PairDetermined,
-    PointPlace, Profile,
+    Combination, Fit, FitDataError, FitEnd, FittedCurve, FittedJump, FittedParameter, FittedPoint, NoFit,
+    PairDetermined, PointPlace, Profile,
 };
 pub use parameters::fit::run::fit;
 pub use parameters::fit::warnings::FitWarning;

@@ -16,9 +16,9 @@
 use crate::common::paper_strip;
 use peelkit::model::{Body, PeelModel, Range};
 use peelkit::study::{
-    Accuracy, CurveBy, DisplacementError, Fit, FitDataError, FitEnd, FitOptions, FitParameter, FitProblem, FitWarning,
-    Loss, MeasuredCurve, MeasuredPoint, NoFit, ParameterOf, PointPlace, ProfileChoice, PulledCurve, StationAt,
-    StationQuantity, StopCriteria, fit, peel,
+    Accuracy, CurveBy, DisplacementError, Fit, FitCurve, FitDataError, FitEnd, FitOptions, FitParameter, FitProblem,
+    FitWarning, Loss, MeasuredCurve, MeasuredPoint, ModelOf, NoFit, ParameterOf, PointPlace, ProfileChoice,
+    PulledCurve, StationAt, StationQuantity, StopCriteria, fit, peel,
 };
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -36,14 +36,16 @@ struct Truth {
     modulus: f64,
     stiffness: Option<f64>,
     zero: f64,
+    /// h, nm, which is never fitted
+    height: f64,
 }
 
-const TRUTH: Truth = Truth { hamaker: 0.1, distance: 0.4, modulus: 2.0, stiffness: None, zero: 0.0 };
+const TRUTH: Truth = Truth { hamaker: 0.1, distance: 0.4, modulus: 2.0, stiffness: None, zero: 0.0, height: 10.0 };
 
 fn model(truth: Truth) -> PeelModel {
     let mut model = PeelModel::from(paper_strip(100.0, 1.0));
     let Body::Strip(strip) = &mut model.body else { panic!("a strip") };
-    strip.material.youngs_modulus = truth.modulus;
+    (strip.material.youngs_modulus, strip.height) = (truth.modulus, truth.height);
     (model.adhesion.hamaker_constant, model.adhesion.equilibrium_distance) = (truth.hamaker, truth.distance);
     model.grip.stiffness = truth.stiffness;
     model
@@ -60,8 +62,8 @@ fn parameters(names: &[(&'static str, f64)]) -> Vec<FitParameter> {
             from: None,
             to: None,
             of: match name {
-                "zero" => ParameterOf::DisplacementZero,
-                "force zero" => ParameterOf::ForceZero,
+                "zero" => ParameterOf::DisplacementZero { curve: 0 },
+                "force zero" => ParameterOf::ForceZero { curve: 0 },
                 _ => ParameterOf::Model,
             },
         }
@@ -80,7 +82,21 @@ fn of<'t>(truth: &'t mut Truth, name: &str) -> Option<&'t mut f64> {
     }
 }
 
-fn problem(truth: Truth, names: &'static [(&'static str, f64)]) -> FitProblem<'static> {
+/// What is fitted to a curve that is not measured yet.
+struct Asked {
+    parameters: Vec<FitParameter>,
+    model: ModelOf<'static>,
+    by: CurveBy<'static>,
+}
+
+impl Asked {
+    fn of(self, measured: MeasuredCurve) -> FitProblem<'static> {
+        let Self { parameters, model, by } = self;
+        FitProblem { parameters, curves: vec![FitCurve { by, ..FitCurve::of_peel(measured, model) }] }
+    }
+}
+
+fn problem(truth: Truth, names: &'static [(&'static str, f64)]) -> Asked {
     let with = move |values: &[f64]| {
         let mut truth = truth;
         for (&(name, _), &value) in names.iter().zip(values) {
@@ -88,7 +104,7 @@ fn problem(truth: Truth, names: &'static [(&'static str, f64)]) -> FitProblem<'s
         }
         model(truth)
     };
-    FitProblem { parameters: parameters(names), model: Box::new(with), curve: CurveBy::Peel }
+    Asked { parameters: parameters(names), model: Box::new(with), by: CurveBy::Peel }
 }
 
 /// Displacements of the grip at which the curve is measured, nm: close around the peak, and wider up to 45 nm.
@@ -127,9 +143,9 @@ fn with_noise(exact: &[(f64, f64)], noise: f64, seed: u64) -> Vec<MeasuredPoint>
     exact.iter().map(point).collect()
 }
 
-fn fitted(problem: &FitProblem, points: Vec<MeasuredPoint>, options: &FitOptions) -> Result<Fit, NoFit> {
+fn fitted(asked: Asked, points: Vec<MeasuredPoint>, options: &FitOptions) -> Result<Fit, NoFit> {
     let curve = MeasuredCurve::new(points, None, Some(0.0)).unwrap();
-    fit(problem, &curve, options, &ACCURACY, &StopCriteria::default)
+    fit(&asked.of(curve), options, &ACCURACY, &StopCriteria::default)
 }
 
 /// Whether the interval of a parameter holds its true value.
@@ -145,13 +161,12 @@ fn repetitions() -> u64 {
 
 /// How many of so many repetitions have each true value in its interval.
 fn counted(truth: Truth, names: &'static [(&'static str, f64)], exact: &[(f64, f64)], repetitions: u64) -> Vec<usize> {
-    let problem = problem(truth, names);
     let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
     let one = |seed: u64| -> Vec<bool> {
-        let fit = fitted(&problem, noisy(exact, seed), &options).unwrap();
+        let fit = fitted(problem(truth, names), noisy(exact, seed), &options).unwrap();
         assert!(fit.converged(), "repetition {seed}: {:?}", fit.end);
-        let truth = |name: &str| *of(&mut truth.clone(), name).unwrap();
-        names.iter().enumerate().map(|(k, &(name, _))| holds(&fit, k, truth(name))).collect()
+        let true_value = |name: &str| *of(&mut truth.clone(), name).unwrap();
+        names.iter().enumerate().map(|(k, &(name, _))| holds(&fit, k, true_value(name))).collect()
     };
     let all: Vec<Vec<bool>> = (1..=repetitions).into_par_iter().map(one).collect();
     (0..names.len()).map(|k| all.iter().filter(|held| held[k]).count()).collect()
@@ -171,13 +186,13 @@ fn intervals_hold_what_is_known_in_95_of_100_repetitions() {
 #[test]
 fn intervals_where_both_errors_are_estimated_are_somewhat_too_narrow() {
     let truth = Truth { hamaker: 0.12, modulus: 3.0, ..TRUTH };
-    let (curve, problem) = (exact(truth, 0.0), problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]));
+    let (curve, problem) = (exact(truth, 0.0), || problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]));
     let one = |seed: u64| {
         let mut random = ChaCha8Rng::seed_from_u64(1000 + seed);
         let mut points = with_noise(&curve, 0.004, seed);
         points.iter_mut().for_each(|point| point.displacement += 0.02 * normal(&mut random));
         let options = FitOptions { profile: ProfileChoice::None, ..FitOptions::default() };
-        let fit = fitted(&problem, points, &options).unwrap();
+        let fit = fitted(problem(), points, &options).unwrap();
         let errors = [fit.estimated_error.unwrap(), fit.estimated_displacement_error.unwrap()];
         ([holds(&fit, 0, 0.12), holds(&fit, 1, 3.0)], errors)
     };
@@ -202,11 +217,11 @@ fn the_zero_of_the_force_is_found_with_the_strip() {
     let problem = problem(TRUTH, &[("hamaker", 0.12), ("modulus", 1.7), ("force zero", 0.0)]);
     let measured = MeasuredCurve::new(points, None, None).unwrap();
     assert_eq!(measured.behind_jump.len(), 6);
-    let fit = fit(&problem, &measured, &FitOptions::default(), &ACCURACY, &StopCriteria::default).unwrap();
+    let fit = fit(&problem.of(measured), &FitOptions::default(), &ACCURACY, &StopCriteria::default).unwrap();
     assert!(fit.converged() && holds(&fit, 0, 0.1) && holds(&fit, 1, 2.0) && holds(&fit, 2, 0.05), "{fit:?}");
     let half = |k: usize| fit.parameters[k].standard_error.unwrap();
     // six points without a force and 44 with one
-    assert!(half(2) < 1.1 * NOISE / 6f64.sqrt() && fit.force_zero == fit.parameters[2].value, "{}", half(2));
+    assert!(half(2) < 1.1 * NOISE / 6f64.sqrt() && fit.curves[0].force_zero == fit.parameters[2].value, "{}", half(2));
 }
 
 /// Stiffness and zero of the machine as well, and a jump: all at once.
@@ -220,12 +235,12 @@ fn a_machine_is_found_with_the_strip() {
     curve.extend((0..6).map(|k| (jump + 0.3 + f64::from(k), 0.0)));
     let names: &[_] = &[("hamaker", 0.12), ("modulus", 1.7), ("stiffness", 0.8), ("zero", 1.0)];
     let problem = problem(truth, &[("hamaker", 0.12), ("modulus", 1.7), ("stiffness", 0.8), ("zero", 1.0)]);
-    let fit = fitted(&problem, noisy(&curve, 5), &FitOptions::default()).unwrap();
+    let fit = fitted(problem, noisy(&curve, 5), &FitOptions::default()).unwrap();
     assert!(fit.converged(), "{:?}", fit.end);
     for (k, &(name, _)) in names.iter().enumerate() {
         assert!(holds(&fit, k, *of(&mut truth.clone(), name).unwrap()), "{name}: {:?}", fit.parameters[k]);
     }
-    let found = fit.jump.unwrap();
+    let found = fit.curves[0].jump.unwrap();
     assert!(found.used && (found.modelled.unwrap() - found.displacement).abs() < 3.0 * found.error, "{found:?}");
     assert!((fit.estimated_error.unwrap() / NOISE - 1.0).abs() < 0.4);
 }
@@ -235,7 +250,7 @@ fn a_machine_is_found_with_the_strip() {
 fn what_a_plateau_does_not_tell_apart_is_poorly_determined_together() {
     let curve = exact(TRUTH, 3.0);
     let names: &'static [_] = &[("hamaker", 0.12), ("distance", 0.42)];
-    let fit = fitted(&problem(TRUTH, names), noisy(&curve, 1), &FitOptions::default()).unwrap();
+    let fit = fitted(problem(TRUTH, names), noisy(&curve, 1), &FitOptions::default()).unwrap();
     assert!(fit.parameters.iter().all(|parameter| parameter.poorly_determined), "{:?}", fit.parameters);
     let pair = &fit.pairs[0];
     assert!(pair.correlation > 0.95, "{pair:?}");
@@ -254,7 +269,7 @@ fn a_profile_is_a_parabola_where_the_data_are_good() {
     let noise = 0.1 * NOISE;
     let options = FitOptions { profile: ProfileChoice::All, force_error: Some(noise), ..FitOptions::default() };
     let names: &'static [_] = &[("hamaker", 0.13), ("modulus", 1.5)];
-    let fit = fitted(&problem(TRUTH, names), with_noise(&exact(TRUTH, 0.0), noise, 3), &options).unwrap();
+    let fit = fitted(problem(TRUTH, names), with_noise(&exact(TRUTH, 0.0), noise, 3), &options).unwrap();
     for parameter in &fit.parameters {
         let [low, high] = parameter.interval.unwrap();
         let [from, to] = parameter.profile.as_ref().unwrap().interval.map(Option::unwrap);
@@ -275,10 +290,9 @@ fn a_robust_loss_withstands_wrong_points() {
         points[k].force += 30.0 * NOISE;
     }
     let names: &'static [_] = &[("hamaker", 0.13), ("modulus", 1.5)];
-    let problem = problem(TRUTH, names);
     let with = |loss| {
         let options = FitOptions { loss, profile: ProfileChoice::None, ..FitOptions::default() };
-        fitted(&problem, points.clone(), &options).unwrap()
+        fitted(problem(TRUTH, names), points.clone(), &options).unwrap()
     };
     let off = |fit: &Fit| (fit.parameters[0].value / 0.1 - 1.0).abs();
     let squares = with(Loss::Squares);
@@ -291,7 +305,7 @@ fn a_robust_loss_withstands_wrong_points() {
             off(&squares)
         );
         assert!(holds(&fit, 0, 0.1) && holds(&fit, 1, 2.0), "{loss:?}: {:?}", fit.parameters);
-        assert!([12, 20, 33].iter().all(|&k| fit.points[k].weight < 0.2));
+        assert!([12, 20, 33].iter().all(|&k| fit.curves[0].points[k].weight < 0.2));
     }
 }
 
@@ -301,9 +315,9 @@ fn points_beyond_the_ends_of_the_branch_do_not_stop_the_search() {
     let names: &'static [_] = &[("hamaker", 0.07), ("modulus", 4.0)];
     let mut curve = exact(TRUTH, 0.0);
     curve.insert(0, (-0.01, -0.02));
-    let fit = fitted(&problem(TRUTH, names), noisy(&curve, 11), &FitOptions::default()).unwrap();
+    let fit = fitted(problem(TRUTH, names), noisy(&curve, 11), &FitOptions::default()).unwrap();
     assert!(fit.converged() && holds(&fit, 0, 0.1) && holds(&fit, 1, 2.0), "{:?}", fit.parameters);
-    assert_eq!(fit.points[0].place, PointPlace::BeforeStart);
+    assert_eq!(fit.curves[0].points[0].place, PointPlace::BeforeStart);
     assert!(fit.warnings().iter().any(|warning| matches!(warning, FitWarning::BeforeStart { points: 1, .. })));
 }
 
@@ -311,16 +325,16 @@ fn points_beyond_the_ends_of_the_branch_do_not_stop_the_search() {
 fn what_cannot_be_fitted_is_refused() {
     let points = noisy(&exact(TRUTH, 0.0), 2);
     let options = FitOptions::default();
-    assert_eq!(fitted(&problem(TRUTH, &[]), points.clone(), &options), Err(NoFit::NoParameters));
-    let none = fitted(&problem(TRUTH, &[("hamaker", 0.1), ("nothing", 1.0)]), points.clone(), &options);
+    assert_eq!(fitted(problem(TRUTH, &[]), points.clone(), &options), Err(NoFit::NoParameters));
+    let none = fitted(problem(TRUTH, &[("hamaker", 0.1), ("nothing", 1.0)]), points.clone(), &options);
     assert!(matches!(&none, Err(NoFit::NoInfluence { key, .. }) if key == "nothing"), "{none:?}");
     let few = fitted(
-        &problem(TRUTH, &[("hamaker", 0.1), ("distance", 0.4), ("modulus", 2.0), ("zero", 0.0)]),
+        problem(TRUTH, &[("hamaker", 0.1), ("distance", 0.4), ("modulus", 2.0), ("zero", 0.0)]),
         points[..4].to_vec(),
         &options,
     );
     assert_eq!(few, Err(NoFit::TooFewData { data: 4, parameters: 4 }));
-    let negative = fitted(&problem(TRUTH, &[("hamaker", -1.0)]), points.clone(), &options);
+    let negative = fitted(problem(TRUTH, &[("hamaker", -1.0)]), points.clone(), &options);
     assert!(matches!(negative, Err(NoFit::OutsideBounds { .. })), "{negative:?}");
     let back: Vec<_> = points.iter().chain(points.iter().rev()).copied().collect();
     assert!(matches!(MeasuredCurve::new(back, None, Some(0.0)), Err(FitDataError::ThereAndBack { .. })));
@@ -333,7 +347,7 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
     let mut random = ChaCha8Rng::seed_from_u64(4);
     let mut points = with_noise(&exact(truth, 0.0), 0.004, 5);
     points.iter_mut().for_each(|point| point.displacement += 0.2 * normal(&mut random));
-    let problem = problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]);
+    let problem = || problem(truth, &[("hamaker", 0.1), ("modulus", 2.0)]);
     let options = FitOptions {
         profile: ProfileChoice::None,
         displacement_error: DisplacementError::None,
@@ -345,13 +359,13 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
             _ => None,
         })
     };
-    let fit = fitted(&problem, points.clone(), &options).unwrap();
+    let fit = fitted(problem(), points.clone(), &options).unwrap();
     let error = proposed(&fit).unwrap_or_else(|| panic!("{:?} {:?}", fit.estimated_error, fit.scatter));
     assert!((0.04..1.0).contains(&error), "{error}");
-    let fit =
-        fitted(&problem, points, &FitOptions { displacement_error: DisplacementError::Known(0.2), ..options }).unwrap();
+    let fit = fitted(problem(), points, &FitOptions { displacement_error: DisplacementError::Known(0.2), ..options })
+        .unwrap();
     assert_eq!(proposed(&fit), None);
-    let good = fitted(&problem, noisy(&exact(truth, 0.0), 6), &options).unwrap();
+    let good = fitted(problem(), noisy(&exact(truth, 0.0), 6), &options).unwrap();
     assert_eq!(proposed(&good), None);
 }
 
@@ -359,13 +373,13 @@ fn residuals_that_errors_of_displacements_make_are_said_to_be_so() {
 /// farther.
 #[test]
 fn a_curve_in_another_unit_is_refused_with_the_likely_one() {
-    let problem = problem(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)]);
     for (factor, given, meant, units) in [(1e3, "u", "n", &["N", "m"][..]), (1e-3, "n", "u", &["N"])] {
         let mut points = noisy(&exact(TRUTH, 0.0), 2);
         for point in &mut points {
             (point.displacement, point.force) = (factor * point.displacement, factor * point.force);
         }
-        let refused = fitted(&problem, points, &FitOptions::default()).unwrap_err();
+        let problem = problem(TRUTH, &[("hamaker", 0.13), ("modulus", 1.5)]);
+        let refused = fitted(problem, points, &FitOptions::default()).unwrap_err();
         assert!(matches!(refused, NoFit::OtherScale { .. }), "{refused}");
         for unit in units {
             let said = format!("{given}{unit} is written there and {meant}{unit} is meant");
@@ -379,7 +393,7 @@ fn a_curve_in_another_unit_is_refused_with_the_likely_one() {
 fn a_fit_whose_only_parameter_ends_at_its_bound_has_no_interval() {
     let mut problem = problem(TRUTH, &[("hamaker", 0.13)]);
     problem.parameters[0].from = Some(0.12);
-    let fit = fitted(&problem, noisy(&exact(TRUTH, 0.0), 2), &FitOptions::default()).unwrap();
+    let fit = fitted(problem, noisy(&exact(TRUTH, 0.0), 2), &FitOptions::default()).unwrap();
     assert!(fit.parameters[0].at_bound.is_some() && fit.parameters[0].interval.is_none(), "{:?}", fit.parameters);
     assert!(fit.warnings().iter().any(|warning| matches!(warning, FitWarning::AtBound { .. })));
 }
@@ -396,9 +410,9 @@ fn a_fit_that_ends_beside_curves_that_cannot_be_computed_says_so() {
         let (range, of_model) = (Range::Positive, ParameterOf::Model);
         let a = FitParameter { key: "a".into(), initial: 1.0, range, from: None, to: None, of: of_model };
         let problem =
-            FitProblem { parameters: vec![a], model: Box::new(|_| model(TRUTH)), curve: CurveBy::Values(Box::new(of)) };
+            Asked { parameters: vec![a], model: Box::new(|_| model(TRUTH)), by: CurveBy::Values(Box::new(of)) };
         let point = |u: f64| MeasuredPoint { displacement: u, force: 2.0 * u, force_error: Some(0.1 + 0.01 * u) };
-        fitted(&problem, (1..9).map(|k| point(f64::from(k))).collect(), &FitOptions::default()).unwrap()
+        fitted(problem, (1..9).map(|k| point(f64::from(k))).collect(), &FitOptions::default()).unwrap()
     };
     let stalled = ended(1.5);
     let FitEnd::Stopped(why) = &stalled.end else { panic!("{:?}", stalled.end) };
@@ -424,21 +438,77 @@ fn a_curve_without_derivatives_is_fitted() {
     let (range, parameter) = (Range::Positive, ParameterOf::Model);
     let parameter =
         |key: &str, initial: f64| FitParameter { key: key.into(), initial, range, from: None, to: None, of: parameter };
-    let problem = FitProblem {
+    let with = |by: CurveBy<'static>| Asked {
         parameters: vec![parameter("a", 1.5), parameter("b", 8.0)],
         model: Box::new(|_| model(TRUTH)),
-        curve: CurveBy::Values(Box::new(move |values, _| Ok(of(values[0], values[1])))),
+        by,
     };
+    let problem = with(CurveBy::Values(Box::new(move |values, _| Ok(of(values[0], values[1])))));
     let exact = |u: f64| 2.0 * (1.0 - (-u / 7.0).exp()) * if u > 21.0 { 0.9 } else { 1.0 };
     let point = |u: f64, force: f64| MeasuredPoint { displacement: u, force, force_error: Some(1e-3) };
     let branch = (0..=34).map(|k| f64::from(k) + 0.3).map(|u| point(u, exact(u)));
     let points: Vec<_> = branch.chain((0..4).map(|k| point(36.0 + f64::from(k), 0.0))).collect();
-    let fit = fitted(&problem, points, &FitOptions { profile: ProfileChoice::None, ..FitOptions::default() }).unwrap();
+    let fit = fitted(problem, points, &FitOptions { profile: ProfileChoice::None, ..FitOptions::default() }).unwrap();
     let [a, b] = [0, 1].map(|k| fit.parameters[k].value);
     assert!(fit.converged() && (a / 2.0 - 1.0).abs() < 1e-3 && (b / 7.0 - 1.0).abs() < 1e-3, "{a} {b} {:?}", fit.end);
-    assert!((fit.jump.unwrap().modelled.unwrap() - 35.0).abs() < 0.05, "{:?}", fit.jump);
-    let short = FitProblem { curve: CurveBy::Values(Box::new(|_, _| Err("no pull".to_owned()))), ..problem };
+    assert!((fit.curves[0].jump.unwrap().modelled.unwrap() - 35.0).abs() < 0.05, "{:?}", fit.curves[0].jump);
+    let short = with(CurveBy::Values(Box::new(|_, _| Err("no pull".to_owned()))));
     let refused =
-        fitted(&short, (1..9).map(|k| point(f64::from(k), 1.0 + f64::from(k))).collect(), &FitOptions::default());
+        fitted(short, (1..9).map(|k| point(f64::from(k), 1.0 + f64::from(k))).collect(), &FitOptions::default());
     assert!(matches!(refused, Err(NoFit::NoStart(why)) if why == "no pull"));
+}
+
+/// Strips of 10 and of 5 nm, recorded from 0.3 and from -0.2 nm on: one A_H, one E, and each its own d. All are within their intervals.
+#[test]
+fn curves_of_several_strips_are_fitted_together() {
+    let truths = [Truth { zero: 0.3, ..TRUTH }, Truth { zero: -0.2, height: 5.0, ..TRUTH }];
+    let names: &'static [_] = &[("hamaker", 0.12), ("modulus", 1.7), ("zero", 0.0)];
+    let mut parameters = parameters(names);
+    parameters.push(FitParameter { of: ParameterOf::DisplacementZero { curve: 1 }, ..parameters[2].clone() });
+    let curve = |(seed, truth): (u64, Truth)| {
+        let measured = MeasuredCurve::new(noisy(&exact(truth, 0.0), seed), None, Some(0.0)).unwrap();
+        problem(Truth { zero: 0.0, ..truth }, names).of(measured).curves.remove(0)
+    };
+    let both = FitProblem { parameters, curves: (3..).zip(truths).map(curve).collect() };
+    let fit = fit(&both, &FitOptions::default(), &ACCURACY, &StopCriteria::default).unwrap();
+    assert!(fit.converged() && holds(&fit, 0, 0.1) && holds(&fit, 1, 2.0), "{:?}", fit.parameters);
+    assert!(holds(&fit, 2, 0.3) && holds(&fit, 3, -0.2), "{:?}", fit.parameters);
+    let zeros: Vec<f64> = fit.curves.iter().map(|curve| curve.displacement_zero).collect();
+    assert_eq!(zeros, [fit.parameters[2].value, fit.parameters[3].value]);
+    assert_eq!((fit.points().count(), fit.degrees_of_freedom), (88, 84));
+    // of each alone the modulus is known less well
+    for (number, truth) in (3..).zip(truths) {
+        let alone = fitted(
+            problem(Truth { zero: 0.0, ..truth }, names),
+            noisy(&exact(truth, 0.0), number),
+            &FitOptions::default(),
+        )
+        .unwrap();
+        let [own, together] = [&alone, &fit].map(|fit| fit.parameters[1].standard_error.unwrap());
+        assert!(together < 0.9 * own, "{together} {own}");
+    }
+}
+
+/// A curve twice has the parameters of it once, with errors that are smaller by √2.
+#[test]
+fn a_curve_that_is_given_twice_counts_twice() {
+    let names: &'static [_] = &[("hamaker", 0.13), ("modulus", 1.5)];
+    let options = FitOptions {
+        force_error: Some(NOISE),
+        displacement_error: DisplacementError::None,
+        profile: ProfileChoice::None,
+        ..FitOptions::default()
+    };
+    let points = noisy(&exact(TRUTH, 0.0), 4);
+    let once = fitted(problem(TRUTH, names), points.clone(), &options).unwrap();
+    let measured = || MeasuredCurve::new(points.clone(), None, Some(0.0)).unwrap();
+    let curves = (0..2).map(|_| problem(TRUTH, names).of(measured()).curves.remove(0)).collect();
+    let twice = FitProblem { parameters: parameters(names), curves };
+    let twice = fit(&twice, &options, &ACCURACY, &StopCriteria::default).unwrap();
+    for (one, both) in once.parameters.iter().zip(&twice.parameters) {
+        assert!((one.value / both.value - 1.0).abs() < 1e-6, "{one:?} {both:?}");
+        let ratio = one.standard_error.unwrap() / both.standard_error.unwrap();
+        assert!((ratio / 2f64.sqrt() - 1.0).abs() < 1e-5, "{ratio}");
+    }
+    assert!((twice.sum_of_squares / once.sum_of_squares - 2.0).abs() < 1e-9);
 }

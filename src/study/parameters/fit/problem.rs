@@ -1,6 +1,7 @@
 //! What is to be fitted, and how.
 
-use super::pulled_curve::PulledCurve;
+use super::curves::measured_curve::MeasuredCurve;
+use super::curves::pulled_curve::PulledCurve;
 use crate::model::check::error::Range;
 use crate::model::peel::PeelModel;
 use crate::study::asked::stop_criteria::StopCriteria;
@@ -10,10 +11,16 @@ use crate::study::asked::stop_criteria::StopCriteria;
 pub enum ParameterOf {
     /// The model, the stiffness of its machine ([`crate::model::Grip::stiffness`]) included
     Model,
-    /// d, the measured displacement at which the model's is zero, nm
-    DisplacementZero,
-    /// f, the measured force at which the model's is zero, nN
-    ForceZero,
+    /// d of one curve, the measured displacement at which the model's is zero, nm
+    DisplacementZero {
+        /// Its place among the curves
+        curve: usize,
+    },
+    /// f of one curve, the measured force at which the model's is zero, nN
+    ForceZero {
+        /// Its place among the curves
+        curve: usize,
+    },
 }
 
 /// A parameter that is fitted.
@@ -47,14 +54,33 @@ pub enum CurveBy<'m> {
     Values(CurveOf<'m>),
 }
 
-/// Parameters, and the model that has their values.
-pub struct FitProblem<'m> {
-    /// In this order
-    pub parameters: Vec<FitParameter>,
+/// A measured curve, and the model that it is of.
+pub struct FitCurve<'m> {
+    /// What was measured
+    pub measured: MeasuredCurve,
     /// The model with these values of the parameters; those of the zeros of the record are not for it. It is checked where it is computed.
     pub model: ModelOf<'m>,
     /// How its curve is computed
-    pub curve: CurveBy<'m>,
+    pub by: CurveBy<'m>,
+    /// d where it is not fitted, nm
+    pub displacement_zero: f64,
+    /// f where it is not fitted, nN
+    pub force_zero: f64,
+}
+
+impl<'m> FitCurve<'m> {
+    /// Of a peel, of a record that begins at zero.
+    pub fn of_peel(measured: MeasuredCurve, model: ModelOf<'m>) -> Self {
+        Self { measured, model, by: CurveBy::Peel, displacement_zero: 0.0, force_zero: 0.0 }
+    }
+}
+
+/// Parameters, and the curves that have them in common.
+pub struct FitProblem<'m> {
+    /// In this order
+    pub parameters: Vec<FitParameter>,
+    /// One at least
+    pub curves: Vec<FitCurve<'m>>,
 }
 
 /// Of which parameters the profile likelihood is computed.
@@ -81,18 +107,14 @@ pub enum DisplacementError {
     Known(f64),
 }
 
-/// How the curve is fitted.
+/// How the curves are fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FitOptions {
     /// Standard error of a measured force where its point has none of its own, nN; none: estimated from the residuals
     pub force_error: Option<f64>,
     /// Standard error of a measured displacement
     pub displacement_error: DisplacementError,
-    /// d where it is not fitted, nm
-    pub displacement_zero: f64,
-    /// f where it is not fitted, nN
-    pub force_zero: f64,
-    /// Whether the displacement of the measured jump is a datum
+    /// Whether the displacements of the measured jumps are data
     pub use_jump: bool,
     /// Of points far from the curve
     pub loss: Loss,
@@ -105,8 +127,6 @@ impl Default for FitOptions {
         Self {
             force_error: None,
             displacement_error: DisplacementError::Estimated,
-            displacement_zero: 0.0,
-            force_zero: 0.0,
             use_jump: true,
             loss: Loss::Squares,
             profile: ProfileChoice::Poor,

@@ -117,6 +117,32 @@ pub struct PairDetermined {
     pub relative_error: Option<f64>,
 }
 
+/// A measured curve and what the model says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedCurve {
+    /// In the order of their displacements
+    pub points: Vec<FittedPoint>,
+    /// None where none was measured
+    pub jump: Option<FittedJump>,
+    /// d, nm
+    pub displacement_zero: f64,
+    /// f, nN
+    pub force_zero: f64,
+    /// (U + d, P + f) of the model up to its first jump
+    pub curve: Vec<(f64, f64)>,
+    /// The same of the model at the beginning
+    pub initial_curve: Vec<(f64, f64)>,
+    /// The model that was found
+    pub model: PeelModel,
+}
+
+impl FittedCurve {
+    /// How many points the model has at a place.
+    pub fn count(&self, place: PointPlace) -> usize {
+        self.points.iter().filter(|point| point.place == place).count()
+    }
+}
+
 /// What a fit found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
@@ -130,10 +156,8 @@ pub struct Fit {
     pub pairs: Vec<PairDetermined>,
     /// Largest over least singular value of the derivatives by the coordinates
     pub condition: Option<f64>,
-    /// In the order of their displacements
-    pub points: Vec<FittedPoint>,
-    /// None where none was measured
-    pub jump: Option<FittedJump>,
+    /// In the order of the problem
+    pub curves: Vec<FittedCurve>,
     /// Sum of squares of the residuals over their standard errors, weighted
     pub sum_of_squares: f64,
     /// Data less parameters
@@ -146,16 +170,6 @@ pub struct Fit {
     pub scatter: f64,
     /// Whether the measured displacements were taken as exact
     pub exact_displacements: bool,
-    /// d, nm
-    pub displacement_zero: f64,
-    /// f, nN
-    pub force_zero: f64,
-    /// (U + d, P + f) of the model up to its first jump
-    pub curve: Vec<(f64, f64)>,
-    /// The same of the model at the beginning
-    pub initial_curve: Vec<(f64, f64)>,
-    /// The model that was found
-    pub model: PeelModel,
     /// How many paths were computed
     pub paths: usize,
     /// How often residuals were weighted anew
@@ -175,9 +189,9 @@ impl Fit {
         self.end == FitEnd::Converged
     }
 
-    /// How many points the model has at a place.
-    pub fn count(&self, place: PointPlace) -> usize {
-        self.points.iter().filter(|point| point.place == place).count()
+    /// Points of all curves.
+    pub fn points(&self) -> impl Iterator<Item = &FittedPoint> {
+        self.curves.iter().flat_map(|curve| &curve.points)
     }
 }
 

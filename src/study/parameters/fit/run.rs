@@ -1,10 +1,12 @@
 //! The run of a fit: search, weights, search again; then errors, correlations and profiles.
 
 use super::coordinate::Coordinate;
-use super::measured_curve::MeasuredCurve;
-use super::problem::{CurveBy, DisplacementError, FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
-use super::residuals::{Derivatives, Errors, Evaluator, Trial, Weights};
-use super::result::{Fit, FitEnd, FittedJump, FittedParameter, FittedPoint, NoFit, PointPlace, Scale};
+use super::curve_trial::{Counted, CurveModel, CurveTrial};
+use super::curves::machine_curve::Modelled;
+use super::curves::measured_curve::{MeasuredPoint, noise};
+use super::problem::{CurveBy, DisplacementError, FitCurve, FitOptions, FitProblem, Loss, ParameterOf, ProfileChoice};
+use super::residuals::{Errors, Evaluator, Trial, Weights};
+use super::result::{Fit, FitEnd, FittedCurve, FittedJump, FittedParameter, FittedPoint, NoFit, PointPlace, Scale};
 use super::search::{Found, Least, search};
 use super::statistics::{Covariance, Variances, half_interval, is_estimated, neighbouring_errors, scale};
 use super::warnings::{POOR, combinations, pairs};
@@ -13,7 +15,7 @@ use crate::study::asked::stop_criteria::StopCriteria;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::Ordering;
 
 /// Most weightings.
 const MOST_WEIGHTINGS: usize = 25;
@@ -26,7 +28,7 @@ const LEAST_ERROR: f64 = 1e-7;
 /// A parameter that changes the curve by less than this share of its largest force has no influence.
 const INFLUENCE: f64 = 1e-7;
 
-/// Finds the parameters of a problem with which the first stable branch of the path is nearest to a measured curve. `stop` gives the criteria of
+/// Finds the parameters of a problem with which the first stable branches of the paths are nearest to the measured curves. `stop` gives the criteria of
 /// each path; one that is interrupted ends the fit with what was reached.
 ///
 /// # Errors
@@ -34,58 +36,56 @@ const INFLUENCE: f64 = 1e-7;
 /// has no influence.
 pub fn fit(
     problem: &FitProblem,
-    measured: &MeasuredCurve,
     options: &FitOptions,
     accuracy: &Accuracy,
     stop: &(dyn Fn() -> StopCriteria + Sync),
 ) -> Result<Fit, NoFit> {
     let count = problem.parameters.len();
-    if count == 0 {
+    if count == 0 || problem.curves.is_empty() {
         return Err(NoFit::NoParameters);
     }
-    let (first, last) = measured.range();
+    let measured = |curve: usize| &problem.curves[curve].measured;
+    let half = |curve: usize| {
+        let (first, last) = measured(curve).range();
+        0.5 * (last - first)
+    };
     let span = |of: ParameterOf| match of {
-        ParameterOf::Model | ParameterOf::DisplacementZero => 0.5 * (last - first),
-        ParameterOf::ForceZero => measured.largest_force(),
+        ParameterOf::Model => half(0),
+        ParameterOf::DisplacementZero { curve } => half(curve),
+        ParameterOf::ForceZero { curve } => measured(curve).largest_force(),
     };
     let coordinates: Result<Vec<_>, _> =
         problem.parameters.iter().map(|parameter| Coordinate::new(parameter, span(parameter.of))).collect();
-    let evaluator = Evaluator {
-        problem,
-        coordinates: coordinates?,
-        measured,
-        options,
-        accuracy,
-        stop,
-        paths: AtomicUsize::new(0),
-        interrupted: AtomicBool::new(false),
-    };
+    let evaluator =
+        Evaluator { problem, coordinates: coordinates?, options, accuracy, stop, counted: Counted::default() };
     let data = evaluator.data();
     if data <= count {
         return Err(NoFit::TooFewData { data, parameters: count });
     }
     let start = Arc::new(evaluator.trial(&DVector::zeros(count))?);
-    if let Some(why) = hopeless(measured, &start) {
+    let sizes = || problem.curves.iter().zip(&start.curves);
+    if let Some(why) = sizes().find_map(|(curve, start)| hopeless(curve, start)) {
         return Err(why);
     }
     has_influence(&evaluator, &start, &evaluator.derivatives(&start)?)?;
     let reached = likeliest(&evaluator, &start, count);
     let found = reached.and_then(|reached| finished(&evaluator, &start, reached, data - count));
-    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let interrupted = evaluator.counted.interrupted.load(Ordering::Relaxed);
     let is_lost = !interrupted && found.as_ref().map_or(true, Fit::is_lost);
-    match other_scale(measured, &start).filter(|_| is_lost) {
+    match sizes().find_map(|(curve, start)| other_scale(curve, start)).filter(|_| is_lost) {
         Some(why) => Err(why),
         None => found,
     }
 }
 
 /// Every parameter has to change the curve.
-fn has_influence(evaluator: &Evaluator, start: &Trial, found: &Derivatives) -> Result<(), NoFit> {
-    let force = start.modelled.iter().fold(evaluator.measured.largest_force(), |most, at| at.force.abs().max(most));
-    let jump = start.found.end().abs();
+fn has_influence(evaluator: &Evaluator, start: &Trial, found: &DMatrix<f64>) -> Result<(), NoFit> {
+    let force = start.modelled().fold(evaluator.largest_force(), |most, at| at.force.abs().max(most));
+    let jump = start.curves.iter().map(|curve| curve.found.end().abs()).fold(0.0, f64::max);
+    let (points, jumps) = (evaluator.points().count(), evaluator.jumps().count());
     for (index, parameter) in evaluator.problem.parameters.iter().enumerate() {
-        let largest = found.force.column(index).amax();
-        let moved = if evaluator.jump().is_some() { found.jump[index].abs() } else { 0.0 };
+        let largest = found.view((0, index), (points, 1)).amax();
+        let moved = found.view((points, index), (jumps, 1)).iter().fold(0.0, |most: f64, of| most.max(of.abs()));
         if largest < INFLUENCE * force && moved < INFLUENCE * jump {
             return Err(NoFit::NoInfluence { key: parameter.key.clone(), largest });
         }
@@ -114,14 +114,14 @@ impl Reached {
 /// The search. Where the error of the displacements is estimated there may be two ends: one that meets the steep points and one that ascribes what it
 /// misses there to the displacements. So the search begins once with no error of theirs, and once with that which neighbours show; the likelier end counts.
 fn likeliest(evaluator: &Evaluator, start: &Arc<Trial>, count: usize) -> Result<Reached, NoFit> {
-    let (options, measured) = (evaluator.options, evaluator.measured);
-    let least = LEAST_ERROR * measured.largest_force();
-    let exact = Errors { force: measured.noise().max(least), displacement: evaluator.displacement_error() };
+    let options = evaluator.options;
+    let least = LEAST_ERROR * evaluator.largest_force();
+    let exact = Errors { force: noise(evaluator.measured()).max(least), displacement: evaluator.displacement_error() };
     let one = weighted_search(evaluator, start, count, exact)?;
     let is_estimated = options.displacement_error == DisplacementError::Estimated && options.loss == Loss::Squares;
     // a curve of whole pull-offs costs as much again
-    let is_cheap = matches!(evaluator.problem.curve, CurveBy::Peel);
-    if !is_estimated || !is_cheap || evaluator.interrupted.load(Ordering::Relaxed) {
+    let is_cheap = evaluator.problem.curves.iter().all(|curve| matches!(curve.by, CurveBy::Peel));
+    if !is_estimated || !is_cheap || evaluator.counted.interrupted.load(Ordering::Relaxed) {
         return Ok(one);
     }
     let other = weighted_search(evaluator, start, count, neighbouring_errors(evaluator, least));
@@ -139,8 +139,8 @@ fn weighted_search(
     count: usize,
     mut errors: Errors,
 ) -> Result<Reached, NoFit> {
-    let (options, measured) = (evaluator.options, evaluator.measured);
-    let least = LEAST_ERROR * measured.largest_force();
+    let options = evaluator.options;
+    let least = LEAST_ERROR * evaluator.largest_force();
     let estimates = is_estimated(options, evaluator);
     let robust = options.loss != Loss::Squares;
     let unknown = options.displacement_error == DisplacementError::Estimated && !robust;
@@ -162,8 +162,7 @@ fn weighted_search(
             let found = Variances::of_trial(evaluator, &best, &jacobian, &weights, least).errors(errors);
             errors = if weightings > SWINGING { found.between(errors) } else { found };
         } else if estimates {
-            let residuals: Vec<f64> =
-                best.modelled.iter().zip(&measured.points).map(|(m, p)| m.force - p.force).collect();
+            let residuals: Vec<f64> = best.modelled().zip(evaluator.points()).map(|(m, p)| m.force - p.force).collect();
             errors.force = scale(&residuals, &weights, count, robust, least);
         }
         let next = evaluator.reweighted(&best, errors);
@@ -207,7 +206,7 @@ fn halves(
     let mut halves = vec![half_interval(Some(freedom as f64)); count];
     if evaluator.options.loss == Loss::Squares {
         let errors = Errors { force: force.unwrap_or(0.0), displacement: displacement.unwrap_or(0.0) };
-        let least = LEAST_ERROR * evaluator.measured.largest_force();
+        let least = LEAST_ERROR * evaluator.largest_force();
         let freedoms = Variances::of_trial(evaluator, best, jacobian, weights, least).freedoms(errors, covariance);
         for (&k, freedom) in covariance.of.iter().zip(freedoms) {
             halves[k] = half_interval(Some(freedom));
@@ -220,7 +219,7 @@ fn halves(
 fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usize) -> Result<Fit, NoFit> {
     let Reached { found, weights, estimated, estimated_displacement, weightings } = reached;
     let (best, options, count) = (found.best, evaluator.options, evaluator.coordinates.len());
-    let interrupted = evaluator.interrupted.load(Ordering::Relaxed);
+    let interrupted = evaluator.counted.interrupted.load(Ordering::Relaxed);
     let end = match found.trouble {
         _ if interrupted => FitEnd::Interrupted,
         Some(why) => FitEnd::Stopped(why),
@@ -228,7 +227,7 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
     };
     let plain = Weights { robust: vec![1.0; weights.errors.len()], ..weights.clone() };
     let jacobian = evaluator.jacobian(&evaluator.derivatives(&best)?, &plain);
-    let (standardised, _) = evaluator.standardised(&best, &plain);
+    let standardised = evaluator.standardised(&best, &plain);
     let inside: Vec<usize> = (0..count).filter(|&k| evaluator.coordinates[k].at_bound(best.x[k]).is_none()).collect();
     let factor = options.loss.covariance_factor(&standardised, count);
     let covariance = Covariance::new(&jacobian, inside, factor);
@@ -272,52 +271,65 @@ fn finished(evaluator: &Evaluator, start: &Trial, reached: Reached, freedom: usi
         profiles.into_iter().for_each(|(k, profile)| parameters[k].profile = Some(profile));
     }
     let row = |one: usize| (0..count).map(|other| covariance.correlation(one, other)).collect();
-    let point = |k: usize| FittedPoint {
-        displacement: evaluator.measured.points[k].displacement,
-        force: evaluator.measured.points[k].force,
-        modelled: best.modelled[k].force,
-        slope: best.modelled[k].slope,
-        error: weights.errors[k],
-        weight: weights.robust[k],
-        place: best.modelled[k].place,
-    };
-    let zero = zero_of(evaluator, &best);
-    let shifted = |trial: &Trial| {
-        let zero = zero_of(evaluator, trial);
-        trial.found.points().into_iter().map(|(u, force)| (u + zero, force + trial.force_zero)).collect()
-    };
     Ok(Fit {
+        curves: fitted_curves(evaluator, start, &best, &weights),
         correlations: (0..count).map(row).collect(),
         combinations: combinations(&covariance, &evaluator.coordinates),
         pairs: pairs(&covariance, &evaluator.coordinates, &poor),
         condition: Some(covariance.condition).filter(|condition| condition.is_finite()),
-        points: (0..best.modelled.len()).map(point).collect(),
-        jump: evaluator.measured.jump.map(|jump| FittedJump {
-            displacement: jump.displacement,
-            error: weights.jump_error,
-            modelled: best.found.jump().map(|jump| jump + zero),
-            used: evaluator.jump().is_some(),
-        }),
         sum_of_squares: found.sum,
         degrees_of_freedom: freedom,
         estimated_error: estimated,
         estimated_displacement_error: estimated_displacement,
-        scatter: evaluator.measured.noise(),
+        scatter: noise(evaluator.measured()),
         exact_displacements: estimated_displacement.is_none() && evaluator.displacement_error() == 0.0,
-        displacement_zero: zero,
-        force_zero: best.force_zero,
-        curve: shifted(&best),
-        initial_curve: shifted(start),
-        model: (evaluator.problem.model)(&values),
-        paths: evaluator.paths.load(Ordering::Relaxed),
+        paths: evaluator.counted.paths.load(Ordering::Relaxed),
         weightings,
         end,
         parameters,
     })
 }
 
-/// That the measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
-fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
+/// Each curve with what was found of it.
+fn fitted_curves(evaluator: &Evaluator, start: &Trial, best: &Trial, weights: &Weights) -> Vec<FittedCurve> {
+    let mut rows = weights.errors.iter().zip(&weights.robust);
+    let mut jump_errors = weights.jump_errors.iter();
+    let values = evaluator.values(&best.x);
+    let one = |((own, best), start): ((CurveModel, &CurveTrial), &CurveTrial)| {
+        let measured = &own.curve.measured;
+        let rows = measured.points.iter().zip(&best.modelled).zip(rows.by_ref());
+        let point =
+            |((measured, modelled), (&error, &weight)): ((&MeasuredPoint, &Modelled), (&f64, &f64))| FittedPoint {
+                displacement: measured.displacement,
+                force: measured.force,
+                modelled: modelled.force,
+                slope: modelled.slope,
+                error,
+                weight,
+                place: modelled.place,
+            };
+        let used = own.jump().is_some();
+        let error = if used { jump_errors.next().copied() } else { None };
+        FittedCurve {
+            points: rows.map(point).collect(),
+            jump: measured.jump.map(|jump| FittedJump {
+                displacement: jump.displacement,
+                error: error.unwrap_or(1.0),
+                modelled: best.found.jump().map(|jump| jump + best.displacement_zero),
+                used,
+            }),
+            displacement_zero: best.displacement_zero,
+            force_zero: best.force_zero,
+            curve: best.recorded(),
+            initial_curve: start.recorded(),
+            model: (own.curve.model)(&values),
+        }
+    };
+    evaluator.curves().zip(&best.curves).zip(&start.curves).map(one).collect()
+}
+
+/// That a measured curve is not of the size of that at which the search begins: a column has another unit than its name says, most likely.
+fn other_scale(FitCurve { measured, .. }: &FitCurve, start: &CurveTrial) -> Option<NoFit> {
     let curve = start.found.points();
     let largest = |of: fn(&(f64, f64)) -> f64| curve.iter().map(|at| of(at).abs()).fold(0.0, f64::max);
     let (from, to) = measured.range();
@@ -329,15 +341,10 @@ fn other_scale(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
 }
 
 /// The same of a curve of which both columns are so and no point lies on the path at which the search begins: no search comes from there to it.
-fn hopeless(measured: &MeasuredCurve, start: &Trial) -> Option<NoFit> {
-    let why = other_scale(measured, start)?;
+fn hopeless(curve: &FitCurve, start: &CurveTrial) -> Option<NoFit> {
+    let why = other_scale(curve, start)?;
     let NoFit::OtherScale { forces, displacements } = &why else { return None };
     let both = forces.thousands() != 0 && displacements.thousands() != 0;
     let none = start.modelled.iter().all(|at| at.place != PointPlace::OnBranch);
     (both && none).then_some(why)
-}
-
-/// d of a trial, nm.
-fn zero_of(evaluator: &Evaluator, trial: &Trial) -> f64 {
-    evaluator.displacement_zero(&evaluator.values(&trial.x))
 }

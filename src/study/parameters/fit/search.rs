@@ -1,6 +1,6 @@
 //! The least squares of some coordinates, the others held, by Levenberg and Marquardt's method; and profiles, which hold one at values around it.
 
-use super::residuals::{Derivatives, Evaluator, Trial, Weights};
+use super::residuals::{Evaluator, Trial, Weights};
 use super::result::{NoFit, Profile};
 use super::statistics::Covariance;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
@@ -74,7 +74,7 @@ pub(super) fn search(evaluator: &Evaluator, weights: &Weights, start: &Arc<Trial
             problem.stalled()
         }
         Reason::LostPatience => Some(format!("it has not converged in {} evaluations", report.number_of_evaluations)),
-        _ if evaluator.interrupted.load(Ordering::Relaxed) => Some("it was interrupted".to_owned()),
+        _ if evaluator.counted.interrupted.load(Ordering::Relaxed) => Some("it was interrupted".to_owned()),
         other => Some(match problem.trouble.borrow().as_ref() {
             Some(error) => error.to_string(),
             None => format!("{other:?}"),
@@ -169,7 +169,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        if self.evaluator.interrupted.load(Ordering::Relaxed) {
+        if self.evaluator.counted.interrupted.load(Ordering::Relaxed) {
             return None;
         }
         let bad = || DVector::from_element(self.data, self.bad);
@@ -177,7 +177,7 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let found: Derivatives = match self.evaluator.derivatives(self.now.as_ref()?) {
+        let found = match self.evaluator.derivatives(self.now.as_ref()?) {
             Ok(found) => found,
             Err(error) => {
                 *self.trouble.borrow_mut() = Some(error);

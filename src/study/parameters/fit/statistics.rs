@@ -1,6 +1,6 @@
 //! Standard errors, intervals and correlations of the parameters that were found.
 
-use super::measured_curve::{median, second_difference};
+use super::curves::measured_curve::{median, noise, second_difference};
 use super::problem::{DisplacementError, FitOptions};
 use super::residuals::{Errors, Evaluator, Trial, Weights};
 use nalgebra::{DMatrix, DVector};
@@ -99,7 +99,7 @@ pub(super) fn half_interval(freedom: Option<f64>) -> f64 {
 
 /// Whether the standard errors of the forces are estimated from the residuals.
 pub(super) fn is_estimated(options: &FitOptions, evaluator: &Evaluator) -> bool {
-    options.force_error.is_none() && evaluator.measured.points.iter().any(|point| point.force_error.is_none())
+    options.force_error.is_none() && evaluator.points().any(|point| point.force_error.is_none())
 }
 
 /// The standard error of a force that residuals (nN) of so many parameters show: their root mean square, or, where a loss is to keep outliers out,
@@ -152,7 +152,6 @@ impl Variances {
         weights: &Weights,
         least: f64,
     ) -> Self {
-        let measured = &evaluator.measured.points;
         let leverages = leverages(jacobian);
         let mut jacobian = jacobian.clone();
         weights.errors.iter().enumerate().for_each(|(row, &error)| jacobian.row_mut(row).scale_mut(error));
@@ -162,13 +161,13 @@ impl Variances {
             DisplacementError::None => Some(0.0),
             DisplacementError::Known(error) => Some(error * error),
         };
-        for ((own, modelled), leverage) in measured.iter().zip(&trial.modelled).zip(leverages) {
+        for ((own, modelled), leverage) in evaluator.points().zip(trial.modelled()).zip(leverages) {
             let force = own.force_error.or(evaluator.options.force_error);
             let square = (modelled.force - own.force).powi(2) / (1.0 - leverage).max(LEAST_FREE);
             all.push(square, modelled.slope.powi(2), force, given);
         }
-        // the jump and the force behind it: their derivatives are over their errors
-        for _ in measured.len()..all.jacobian.nrows() {
+        // the jumps and the forces behind them: their derivatives are over their errors
+        for _ in all.squares.len()..all.jacobian.nrows() {
             all.push(0.0, 0.0, Some(1.0), Some(0.0));
         }
         all
@@ -176,9 +175,9 @@ impl Variances {
 
     /// By how neighbouring points differ: what lies between two others is off the line through these by the more, the steeper they rise.
     fn of_neighbours(evaluator: &Evaluator, least: f64) -> Self {
-        let points = &evaluator.measured.points;
-        let mut all = Self::new(DMatrix::zeros(points.len().saturating_sub(2), 0), least);
-        for three in points.windows(3) {
+        let neighbours = || evaluator.measured().flat_map(|measured| measured.points.windows(3));
+        let mut all = Self::new(DMatrix::zeros(neighbours().count(), 0), least);
+        for three in neighbours() {
             let (off, slope) = second_difference(three);
             let force = three[1].force_error.or(evaluator.options.force_error);
             all.push(off * off, slope * slope, force, None);
@@ -317,7 +316,7 @@ fn leverages(jacobian: &DMatrix<f64>) -> Vec<f64> {
 /// Where a search begins that takes the errors for those which neighbours show: one that begins without an error of the displacements may end where
 /// steep points alone are met.
 pub(super) fn neighbouring_errors(evaluator: &Evaluator, least: f64) -> Errors {
-    let force = evaluator.measured.noise().max(least);
+    let force = noise(evaluator.measured()).max(least);
     let [_, displacement] = Variances::of_neighbours(evaluator, least).found();
     Errors { force, displacement: displacement.sqrt() }
 }

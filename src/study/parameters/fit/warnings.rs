@@ -1,7 +1,7 @@
 //! What of a fit is not to be trusted.
 
 use super::coordinate::Coordinate;
-use super::result::{Combination, Fit, PairDetermined, PointPlace};
+use super::result::{Combination, Fit, FittedCurve, PairDetermined, PointPlace};
 use super::statistics::Covariance;
 use std::fmt;
 
@@ -68,6 +68,13 @@ pub enum FitWarning {
         /// Standard error of a displacement that would explain the residuals where the curve is steep, nm
         displacement_error: f64,
     },
+    /// One of these, of one of several curves
+    OfCurve {
+        /// Which one, from 1
+        number: usize,
+        /// What of it
+        warning: Box<FitWarning>,
+    },
     /// Residuals larger than their standard errors say
     Misfit {
         /// Sum of squares over its degrees of freedom
@@ -106,6 +113,27 @@ impl Fit {
                 found.push(FitWarning::Poor { key: parameter.key.clone(), half });
             }
         }
+        for (index, curve) in self.curves.iter().enumerate() {
+            let of_curve = |warning: FitWarning| match self.curves.len() {
+                1 => warning,
+                _ => FitWarning::OfCurve { number: index + 1, warning: Box::new(warning) },
+            };
+            found.extend(curve.warnings().into_iter().map(of_curve));
+        }
+        found.extend(self.displacement_warning());
+        let freedom = self.degrees_of_freedom as f64;
+        let reduced = self.sum_of_squares / freedom;
+        if self.estimated_error.is_none() && reduced > 1.0 + MISFIT * (2.0 / freedom).sqrt() {
+            found.push(FitWarning::Misfit { reduced });
+        }
+        found
+    }
+}
+
+impl FittedCurve {
+    /// What of the curve is not compared with the branch of the model.
+    fn warnings(&self) -> Vec<FitWarning> {
+        let mut found = Vec::new();
         let ends = |curve: &[(f64, f64)]| (curve.first().map_or(0.0, |at| at.0), curve.last().map_or(0.0, |at| at.0));
         let (start, jump) = ends(&self.curve);
         match (self.count(PointPlace::BehindJump), self.count(PointPlace::BeforeStart)) {
@@ -122,12 +150,6 @@ impl Fit {
         if let Some(jump) = self.jump.filter(|jump| jump.modelled.is_none()) {
             found.push(FitWarning::NoJump { measured: jump.displacement });
         }
-        found.extend(self.displacement_warning());
-        let freedom = self.degrees_of_freedom as f64;
-        let reduced = self.sum_of_squares / freedom;
-        if self.estimated_error.is_none() && reduced > 1.0 + MISFIT * (2.0 / freedom).sqrt() {
-            found.push(FitWarning::Misfit { reduced });
-        }
         found
     }
 }
@@ -141,7 +163,7 @@ impl Fit {
             return None;
         }
         let mut points: Vec<(f64, f64)> =
-            self.points.iter().map(|point| (point.slope.abs(), (point.modelled - point.force).abs())).collect();
+            self.points().map(|point| (point.slope.abs(), (point.modelled - point.force).abs())).collect();
         points.sort_by(|a, b| b.0.total_cmp(&a.0));
         let (steep, level) = points.split_at(points.len() / STEEP);
         let mean = |points: &[(f64, f64)]| {
@@ -169,6 +191,7 @@ impl FitWarning {
             Self::BeforeStart { .. } => "before-start",
             Self::NoJump { .. } => "no-jump",
             Self::ExactDisplacements { .. } => "exact-displacements",
+            Self::OfCurve { warning, .. } => warning.code(),
             Self::Misfit { .. } => "misfit",
         }
     }
@@ -220,6 +243,7 @@ impl fmt::Display for FitWarning {
                 f,
                 "the residuals are {residual:.1e} nN and neighbouring points scatter by {scatter:.1e} nN, most where the curve is steep: displacements are taken as exact, and the intervals do not have their errors. Give the standard error of a measured displacement, for example fit.displacement_error = \"{displacement_error:.1e} nm\", or the model does not describe the curve"
             ),
+            Self::OfCurve { number, warning } => write!(f, "curve {number}: {warning}"),
             Self::Misfit { reduced } => write!(
                 f,
                 "the residuals are larger than their standard errors, chi² is {reduced:.2} times its degrees of freedom: the errors are too small or the model does not describe the curve, and the intervals are too narrow"

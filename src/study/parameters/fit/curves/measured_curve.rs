@@ -1,6 +1,6 @@
 //! A measured force-displacement curve: the points on its first stable branch, and where it jumps.
 
-use super::result::FitDataError;
+use crate::study::parameters::fit::result::FitDataError;
 
 /// A measured point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -88,7 +88,7 @@ impl MeasuredCurve {
     /// Standard error of the forces from how neighbours differ, nN: from second differences, which a smooth curve does not show. A median, which
     /// its few sharp bends do not change.
     pub fn noise(&self) -> f64 {
-        noise(&self.points)
+        noise([self])
     }
 
     /// First and last displacement, nm.
@@ -127,7 +127,7 @@ fn in_one_direction(points: &[MeasuredPoint]) -> Result<(), FitDataError> {
 
 /// Where the points begin that have no force any more, if the curve jumps there.
 fn detached_from(points: &[MeasuredPoint], zero: Option<f64>) -> Option<usize> {
-    let estimated = noise(points);
+    let estimated = noise_of([points]);
     let mut last: Vec<f64> = points.iter().rev().take(LEAST_BEHIND).map(|point| point.force).collect();
     let zero = zero.unwrap_or_else(|| median(&mut last));
     let largest = points.iter().fold(0.0f64, |most, point| (point.force - zero).abs().max(most));
@@ -139,15 +139,21 @@ fn detached_from(points: &[MeasuredPoint], zero: Option<f64>) -> Option<usize> {
     jumps.then_some(before)
 }
 
-fn noise(points: &[MeasuredPoint]) -> f64 {
+/// As [`MeasuredCurve::noise`], of several curves.
+pub(in crate::study::parameters::fit) fn noise<'c>(curves: impl IntoIterator<Item = &'c MeasuredCurve>) -> f64 {
+    noise_of(curves.into_iter().map(|curve| &curve.points[..]))
+}
+
+fn noise_of<'p>(curves: impl IntoIterator<Item = &'p [MeasuredPoint]>) -> f64 {
     // of normal errors the median of |a - 2b + c| is 0.6745 √6 times their standard deviation
     const MEDIAN: f64 = 0.6745;
-    let mut all: Vec<f64> = points.windows(3).map(|three| second_difference(three).0.abs()).collect();
+    let threes = curves.into_iter().flat_map(|points| points.windows(3));
+    let mut all: Vec<f64> = threes.map(|three| second_difference(three).0.abs()).collect();
     median(&mut all) / MEDIAN
 }
 
 /// The second of three points less what lies between the others on a line, over the standard deviation of that, nN; and the slope of the line, nN/nm.
-pub(super) fn second_difference(three: &[MeasuredPoint]) -> (f64, f64) {
+pub(in crate::study::parameters::fit) fn second_difference(three: &[MeasuredPoint]) -> (f64, f64) {
     let [a, b, c] = [0, 1, 2].map(|k| (three[k].displacement, three[k].force));
     let share = if c.0 > a.0 { (b.0 - a.0) / (c.0 - a.0) } else { 0.5 };
     let slope = if c.0 > a.0 { (c.1 - a.1) / (c.0 - a.0) } else { 0.0 };
@@ -156,7 +162,7 @@ pub(super) fn second_difference(three: &[MeasuredPoint]) -> (f64, f64) {
 }
 
 /// The middle one of some numbers; 0 where there are none.
-pub(super) fn median(numbers: &mut [f64]) -> f64 {
+pub(in crate::study::parameters::fit) fn median(numbers: &mut [f64]) -> f64 {
     numbers.sort_by(f64::total_cmp);
     let count = numbers.len();
     if count == 0 { 0.0 } else { 0.5 * (numbers[(count - 1) / 2] + numbers[count / 2]) }

@@ -25,7 +25,7 @@ struct Branch {
 
 /// The curve at a displacement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PulledPoint {
+pub(in crate::study::parameters::fit) struct PulledPoint {
     /// nN
     pub force: f64,
     /// dP/dU, nN/nm
@@ -61,13 +61,13 @@ impl PulledCurve {
     }
 
     /// First and last displacement, nm; none without points.
-    pub(super) fn range(&self) -> Option<(f64, f64)> {
+    pub(in crate::study::parameters::fit) fn range(&self) -> Option<(f64, f64)> {
         let first = self.branches.first()?.displacements.first()?;
         Some((*first, *self.branches.last()?.displacements.last()?))
     }
 
     /// At a displacement between its ends; behind an event where one is there.
-    pub(super) fn at(&self, displacement: f64) -> PulledPoint {
+    pub(in crate::study::parameters::fit) fn at(&self, displacement: f64) -> PulledPoint {
         let begun = self.branches.partition_point(|branch| branch.displacements[0] <= displacement).max(1) - 1;
         let Some(Branch { displacements, forces, slopes }) = self.branches.get(begun) else {
             return PulledPoint { force: 0.0, slope: 0.0, branch: 0 };

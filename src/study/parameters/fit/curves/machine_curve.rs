@@ -1,11 +1,11 @@
 //! The first stable branch of a path as a machine with a spring records it.
 
 use super::pulled_curve::PulledCurve;
-use super::result::PointPlace;
 use crate::number::root::Bracket;
 use crate::solve::path::hermite::Hermite;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::search::LimitPointKind;
+use crate::study::parameters::fit::result::PointPlace;
 use crate::study::parameters::sensitivity::force::{ForceOnBranch, forces_on_branch};
 use crate::study::parameters::sensitivity::quantity::Variation;
 use crate::study::parameters::sensitivity::quantity::{NoSensitivities, PeelQuantity};
@@ -14,7 +14,7 @@ use crate::study::peel::result::Peel;
 
 /// A point of the branch.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct BranchPoint {
+pub(in crate::study::parameters::fit) struct BranchPoint {
     /// u of the grip, nm
     pub grip: f64,
     /// P, nN
@@ -25,7 +25,7 @@ pub(super) struct BranchPoint {
 
 /// Where the branch ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct BranchEnd {
+pub(in crate::study::parameters::fit) struct BranchEnd {
     /// U* of the machine, nm
     pub machine: f64,
     /// What is computed there
@@ -36,7 +36,7 @@ pub(super) struct BranchEnd {
 
 /// (U, P) from the start of a path to its first jump.
 #[derive(Clone, Debug)]
-pub(super) struct MachineCurve {
+pub(in crate::study::parameters::fit) struct MachineCurve {
     steps: Vec<Step>,
     /// 1/k, nm/nN
     pub compliance: f64,
@@ -177,7 +177,7 @@ const EDGE: f64 = 1e-3;
 /// Before the start of the path the curve is reflected at it, P(U₀ - δ) = 2 P₀ - P(U₀ + δ), which is right to the first order of δ; behind the jump
 /// it keeps the force that it has there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Modelled {
+pub(in crate::study::parameters::fit) struct Modelled {
     pub place: PointPlace,
     /// P, nN
     pub force: f64,
@@ -256,7 +256,7 @@ impl Modelled {
 
 /// How what a point is made of changes with a parameter's coordinate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Change {
+pub(in crate::study::parameters::fit) struct Change {
     /// dP/dx at the point's displacement of the grip
     pub force: f64,
     /// dP/du there, nN/nm: of the same solution, because the two grow beyond bounds together at a limit point
@@ -275,7 +275,7 @@ pub(super) struct Change {
 ///
 /// U = u + P/k is largest there, so that only what U depends on directly counts: dU*/dx = P d(1/k)/dx + du/dx at held P. Of a rigid machine it
 /// is that of the limit point; else du/dx = -(dP/dx at held u)/(dP/du), both at one solution, because a stiff machine jumps where both are large.
-pub(super) fn jump_derivatives(
+pub(in crate::study::parameters::fit) fn jump_derivatives(
     peel: &Peel,
     curve: &MachineCurve,
     variations: &[Variation],
