@@ -177,6 +177,71 @@ fn the_record_of_a_machine_is_read_and_fitted_as_it_is() {
     assert!((number(&data["estimated_displacement_error_nm"]) / 5e3 - 1.0).abs() < 0.5, "{data}");
 }
 
+/// scenes/tape-curves.toml: two tests of one tape, each with its own zeros. What was found is fitted once more from where it is written.
+#[test]
+fn several_curves_are_fitted_together() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = format!("{SCENES}/tape-curves.toml");
+    let (status, text, trouble) = run(dir.path(), &["fit", &scene, "--out", "fit"]);
+    assert_eq!(status, Some(0), "{trouble}");
+    let read = |name: &str| std::fs::read_to_string(dir.path().join("fit").join(name)).unwrap();
+    let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
+    let number = |value: &Value| value.as_f64().unwrap();
+    let fitted = summary["fitted"].as_array().unwrap();
+    for (row, known) in fitted.iter().zip([120.0, 8e-4, 2e4, 8e5, 3.5e5, 1.5e8, -5e7]) {
+        let (low, high) = (number(&row["interval"][0]), number(&row["interval"][1]));
+        assert!(low < known && known < high, "{row}");
+    }
+    assert_eq!((fitted.len(), fitted[4]["key"].as_str()), (7, Some("fit.displacement_zero[2]")));
+    let curves = summary["curves"].as_array().unwrap();
+    assert!(curves[1]["file"].as_str().unwrap().ends_with("tape-60.csv"), "{}", curves[1]);
+    assert_eq!(curves[1]["displacement_zero_nm"], fitted[4]["value"]);
+    assert!(
+        summary["data"]["file"].is_null() && text.contains("tape-90.csv") && text.contains("tape-60.csv"),
+        "{text}"
+    );
+    let table = read("fit.csv");
+    assert!(table.contains("\n1,") && table.contains("\n2,"), "{table}");
+    let (status, again, trouble) = run(dir.path(), &["fit", "fit/parameters.toml", "--json"]);
+    assert_eq!(status, Some(0), "{trouble}");
+    let again: Value = serde_json::from_str(&again).unwrap();
+    for (row, other) in fitted.iter().zip(again["fitted"].as_array().unwrap()) {
+        let change = (number(&row["value"]) - number(&other["value"])).abs();
+        assert!(change < 0.1 * number(&row["standard_error"]), "{row} {other}");
+    }
+}
+
+#[test]
+fn curves_that_cannot_be_fitted_together_are_refused() {
+    let curves_scene = format!("{SCENES}/tape-curves.toml");
+    let with = |curves: &str, parts: &[&str]| {
+        let set = format!("fit.curves={curves}");
+        refuses(
+            &[("a.csv", "drive.angle (deg),force (N)\n60,1\n90,2\n")],
+            &["fit", &curves_scene, "--set", &set],
+            parts,
+        );
+    };
+    let dir = tempfile::tempdir().unwrap();
+    let one = ["fit", &scene("strip-fit")];
+    refuses(&[], &one, &["there is nothing to fit to: no data were given, and the scene names none", "--data CSV"]);
+    let both = ["fit", &curves_scene, "--data", &format!("{SCENES}/tape-90.csv")];
+    refuses(&[], &both, &["data are given beside `fit.curves` of the scene", "Omit --data"]);
+    let file = dir.path().join("a.csv");
+    std::fs::write(&file, "drive.angle (deg),force (N)\n60,1\n90,2\n").unwrap();
+    let steady = format!("[{{ data = \"{}\" }}]", file.display());
+    with(&steady, &["has steady forces against `drive.angle`, and `fit.curves` takes curves alone"]);
+    with("[{ data = \"nowhere.csv\" }]", &["nowhere.csv"]);
+    with("[]", &["has 0 curves; it takes 1 to 50"]);
+    with("[{ set = { \"drive.angle\" = \"60 deg\" } }]", &["has in curve 1 no `data`"]);
+    let other = |set: &str, parts: &[&str]| with(&format!("[{{ data = \"a.csv\", set = {{ {set} }} }}]"), parts);
+    other("\"adhesion.work\" = \"90 J/m2\"", &["sets in curve 1 `adhesion.work`, which is fitted"]);
+    other("\"grip.rotation\" = \"fixed\"", &["`set` with `grip.rotation`, which is not a number of the model"]);
+    other("\"strip.heigth\" = \"1 um\"", &["strip.heigth"]);
+    other("\"drive.angle\" = \"200 deg\"", &["curve 1"]);
+    other("\"substrate.radius\" = \"1 um\"", &["sets in curve 1 `substrate.radius`, which"]);
+}
+
 /// The steady force of a tape that slides solves P (1 - cos α) + P² sin² α/2EA = w b: forces of 100 J/m² at three angles, in the unit of the trade.
 #[test]
 fn steady_forces_against_an_angle_are_fitted() {

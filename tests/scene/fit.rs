@@ -38,7 +38,7 @@ fn parameters_are_read_in_the_units_of_the_library() {
     assert_eq!(of(&parameters[1]), ("adhesion.hamaker_constant".into(), 0.1, None, None));
     assert_eq!(of(&parameters[2]), ("fit.displacement_zero".into(), 1.0, None, None));
     let kinds: Vec<ParameterOf> = parameters.iter().map(|parameter| parameter.of).collect();
-    assert_eq!(kinds, [ParameterOf::Model, ParameterOf::Model, ParameterOf::DisplacementZero]);
+    assert_eq!(kinds, [ParameterOf::Model, ParameterOf::Model, ParameterOf::DisplacementZero { curve: 0 }]);
     let table = scene.fit.as_ref().unwrap();
     let near = |found: Option<f64>, expected: f64| found.is_some_and(|found| (found - expected).abs() < 1e-15);
     assert!(
@@ -68,7 +68,7 @@ fn columns_zeros_and_errors_are_read_and_written() {
     assert_eq!((columns.displacement.as_deref(), columns.force.as_deref()), (Some("Extension"), Some("Load (N)")));
     assert_eq!(table.options.displacement_error, DisplacementError::None);
     let parameter = &scene.fit_parameters().unwrap()[1];
-    assert_eq!((parameter.of, parameter.initial), (ParameterOf::ForceZero, -2e5));
+    assert_eq!((parameter.of, parameter.initial), (ParameterOf::ForceZero { curve: 0 }, -2e5));
     assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
     assert_refused(
         with("parameters = [\"strip.height\"]\ncolumns = { x = \"u\" }"),

@@ -3,9 +3,8 @@
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::pulls::numbers::Pulls;
 use crate::session::{Parts, Session};
-use peelkit::model::Body;
 use peelkit::study::{
-    self, CurveBy, DisplacementError, Fit, FitDataError, FitEnd, FitParameter, FitProblem, MeasuredCurve,
+    self, CurveBy, DisplacementError, Fit, FitCurve, FitDataError, FitEnd, FitParameter, FitProblem, MeasuredCurve,
     MeasuredPoint, NoFit, ParameterOf, PulledCurve, StopCriteria, Terms,
 };
 use peelkit_report::overlay::{ForceRecord, read_force_curve};
@@ -21,57 +20,124 @@ pub enum Data<'d> {
     File(&'d Path),
     /// Points, under this name
     Points(&'d str, Vec<MeasuredPoint>),
+    /// The curves that the table `fit` of the scene names
+    OfScene,
 }
 
-/// A scene, and a measured curve that is fitted.
+/// A curve that was measured, as it was read.
+#[derive(Clone, Debug)]
+struct Record {
+    /// Its name
+    file: String,
+    measured: MeasuredCurve,
+    /// d and f where they are not fitted, nm and nN
+    zeros: [f64; 2],
+}
+
+/// A scene, and measured curves that are fitted.
 pub struct Fitting<'s> {
     scene: &'s Scene,
     table: FitTable,
     parameters: Vec<FitParameter>,
-    file: String,
-    measured: MeasuredCurve,
+    records: Vec<Record>,
     /// The key against which steady forces were measured; none of a curve
     against: Option<&'static Key>,
 }
 
 impl<'s> Fitting<'s> {
-    /// Of a scene to a curve.
+    /// Of a scene to what was measured.
     ///
-    /// Fails where nothing can be fitted of the scene, where the file cannot be read, and where the curve is none that can be fitted.
+    /// Fails where nothing can be fitted of the scene, where a file cannot be read, and where a curve is none that can be fitted.
     pub fn of(scene: &'s Scene, data: Data) -> Result<Self, Refusal> {
-        let mut table = scene.fit.clone().unwrap_or_default();
+        let table = scene.fit.clone().unwrap_or_default();
         let parameters = parameters(scene)?;
-        let (file, record) = match data {
-            Data::File(path) => {
-                let width = match &scene.model.body {
-                    Body::Strip(strip) => Some(strip.width),
-                    _ => None,
-                };
-                let record = read_force_curve(path, &table.columns, width)
-                    .map_err(|error| Refusal::asked(&error, &error.remedy))?;
-                (path.display().to_string(), record)
+        let mut fitting = Self { scene, table, parameters, records: Vec::new(), against: None };
+        match (fitting.table.curves.is_empty(), data) {
+            (true, Data::OfScene) => {
+                return Err(Refusal::asked(
+                    "there is nothing to fit to: no data were given, and the scene names none",
+                    "Give --data CSV, or the curves in the scene: curves = [{ data = \"at-90.csv\" }] under [fit].",
+                ));
             }
-            Data::Points(name, points) => (name.to_owned(), ForceRecord { points, against: None }),
-        };
-        let wrong = |why: FitDataError| Refusal::asked(format!("{file} {why}"), why.remedy());
-        let is_fitted = parameters.iter().any(|parameter| parameter.of == ParameterOf::ForceZero);
-        let zero = Some(table.options.force_zero).filter(|_| !is_fitted);
-        let ForceRecord { points, against } = record;
-        let measured = match against {
-            None => MeasuredCurve::new(points, table.jump, zero).map_err(wrong)?,
-            Some(key) => {
-                no_steady_force(scene, key, &parameters)?;
-                if points.len() < FEWEST_FORCES {
-                    let (points, least) = (points.len(), FEWEST_FORCES);
-                    return Err(wrong(FitDataError::TooFew { points, least, before_jump: None }));
+            (false, Data::OfScene) => {
+                for (index, curve) in fitting.table.curves.clone().iter().enumerate() {
+                    let path = beside(&scene.name, &curve.data);
+                    let (file, record) = read(&path, &fitting.table, &scene.of_curve(index))?;
+                    if let Some(key) = record.against {
+                        return Err(Refusal::asked(
+                            format!(
+                                "{file} has steady forces against `{}`, and `fit.curves` takes curves alone",
+                                key.path()
+                            ),
+                            "Give --data CSV with steady forces, and remove `fit.curves`.",
+                        ));
+                    }
+                    let zeros = [
+                        curve.displacement_zero.unwrap_or(fitting.table.displacement_zero),
+                        curve.force_zero.unwrap_or(fitting.table.force_zero),
+                    ];
+                    fitting.add(file, record.points, zeros)?;
                 }
-                table.options.displacement_error = DisplacementError::None;
-                table.options.displacement_zero = 0.0;
-                steady(points)
             }
-        };
-        Ok(Self { scene, table, parameters, file, measured, against })
+            (false, _) => {
+                return Err(Refusal::asked(
+                    "data are given beside `fit.curves` of the scene, which name their own",
+                    "Omit --data, or remove `curves` under [fit].",
+                ));
+            }
+            (true, Data::File(path)) => {
+                let (file, record) = read(path, &fitting.table, scene)?;
+                fitting.add_record(file, record)?;
+            }
+            (true, Data::Points(name, points)) => {
+                fitting.add_record(name.to_owned(), ForceRecord { points, against: None })?;
+            }
+        }
+        Ok(fitting)
     }
+
+    /// A curve, or steady forces.
+    fn add_record(&mut self, file: String, ForceRecord { points, against }: ForceRecord) -> Result<(), Refusal> {
+        let zeros = [self.table.displacement_zero, self.table.force_zero];
+        let Some(key) = against else { return self.add(file, points, zeros) };
+        no_steady_force(self.scene, key, &self.parameters)?;
+        if points.len() < FEWEST_FORCES {
+            let (points, least) = (points.len(), FEWEST_FORCES);
+            return Err(wrong(&file, FitDataError::TooFew { points, least, before_jump: None }));
+        }
+        self.table.options.displacement_error = DisplacementError::None;
+        self.against = Some(key);
+        self.records.push(Record { file, measured: steady(points), zeros: [0.0, zeros[1]] });
+        Ok(())
+    }
+
+    /// A curve, with its zeros.
+    fn add(&mut self, file: String, points: Vec<MeasuredPoint>, zeros: [f64; 2]) -> Result<(), Refusal> {
+        let curve = self.records.len();
+        let is_fitted = self.parameters.iter().any(|parameter| parameter.of == ParameterOf::ForceZero { curve });
+        let zero = Some(zeros[1]).filter(|_| !is_fitted);
+        let measured = MeasuredCurve::new(points, self.table.jump, zero).map_err(|why| wrong(&file, why))?;
+        self.records.push(Record { file, measured, zeros });
+        Ok(())
+    }
+}
+
+/// What is wrong with a file.
+fn wrong(file: &str, why: FitDataError) -> Refusal {
+    Refusal::asked(format!("{file} {why}"), why.remedy())
+}
+
+/// The file that a scene of this name names, which is beside it.
+fn beside(scene: &str, named: &str) -> PathBuf {
+    Path::new(scene).parent().unwrap_or(Path::new("")).join(named)
+}
+
+/// Reads a file that was measured with the body of a scene.
+fn read(path: &Path, table: &FitTable, scene: &Scene) -> Result<(String, ForceRecord), Refusal> {
+    let width = scene.model.strip().map(|strip| strip.width);
+    let record =
+        read_force_curve(path, &table.columns, width).map_err(|error| Refusal::asked(&error, &error.remedy))?;
+    Ok((path.display().to_string(), record))
 }
 
 /// Fewest steady forces.
@@ -92,7 +158,9 @@ fn no_steady_force(scene: &Scene, key: &Key, parameters: &[FitParameter]) -> Res
         ));
     }
     let path = key.path();
-    let fitted = |parameter: &&FitParameter| parameter.key == path || parameter.of == ParameterOf::DisplacementZero;
+    let fitted = |parameter: &&FitParameter| {
+        parameter.key == path || matches!(parameter.of, ParameterOf::DisplacementZero { .. })
+    };
     match parameters.iter().find(fitted) {
         Some(parameter) => Err(Refusal::asked(
             format!("`{}` is to be fitted to steady forces against `{path}`, which do not have it", parameter.key),
@@ -156,10 +224,8 @@ fn of_scene(why: &NoFit) -> Refusal {
 pub struct FitOutcome {
     /// The fit
     pub fit: Fit,
-    /// What was fitted
-    pub measured: MeasuredCurve,
-    /// Where that was read from
-    pub file: String,
+    /// What was fitted, each with where it was read from
+    pub measured: Vec<(String, MeasuredCurve)>,
     /// That the fit took
     pub seconds: f64,
     /// The key against which steady forces were measured; none of a curve
@@ -170,30 +236,45 @@ impl Analysis for Fitting<'_> {
     type Found = FitOutcome;
 
     fn run(&self, session: &Session) -> Result<FitOutcome, Refusal> {
-        let Self { scene, table, parameters, file, measured, against } = self;
+        let Self { scene, table, parameters, records, against } = self;
         let stop = || session.stop(scene);
-        let keys = || parameters.iter().map(|parameter| parameter.key.as_str());
-        let with = |values: &[f64]| scene.with_numbers(keys().zip(values.iter().copied()));
         let pulls = Pulls::like(scene);
         let varied = parameters.iter().filter(|parameter| parameter.of == ParameterOf::Model).count();
-        let meter = pulls.as_ref().map(|pulls| (pulls, pulls.meter(session, Parts::AStep(1 + 2 * varied))));
-        let curve = match (&meter, against) {
-            (None, None) => CurveBy::Peel,
-            (None, Some(key)) => CurveBy::Values(Box::new(|values, stop: &StopCriteria| {
-                let at = measured.points.iter().map(|point| point.displacement);
-                steady_forces(&with(values), key, at, stop)
-            })),
-            (Some((pulls, meter)), _) => {
-                CurveBy::Values(Box::new(|values, stop: &StopCriteria| meter.over(|| pulls.curve(&with(values), stop))))
-            }
+        let steps = records.len() * (1 + 2 * varied);
+        let meter = pulls.as_ref().map(|pulls| (pulls, pulls.meter(session, Parts::AStep(steps))));
+        let curve = |(index, record): (usize, &Record)| {
+            let own = scene.of_curve(index);
+            let keys: Vec<String> = parameters.iter().map(|parameter| parameter.key.clone()).collect();
+            let of = own.clone();
+            let with =
+                move |values: &[f64]| of.with_numbers(keys.iter().map(String::as_str).zip(values.iter().copied()));
+            let by = match (&meter, against) {
+                (None, None) => CurveBy::Peel,
+                (None, Some(key)) => {
+                    let (with, measured) = (with.clone(), record.measured.clone());
+                    CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
+                        let at = measured.points.iter().map(|point| point.displacement);
+                        steady_forces(&with(values), key, at, stop)
+                    }))
+                }
+                (Some((pulls, meter)), _) => {
+                    let with = with.clone();
+                    CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
+                        meter.over(|| pulls.curve(&with(values), stop))
+                    }))
+                }
+            };
+            let [displacement_zero, force_zero] = record.zeros;
+            let model = Box::new(move |values: &[f64]| with(values).model);
+            FitCurve { measured: record.measured.clone(), model, by, displacement_zero, force_zero }
         };
-        let model = Box::new(|values: &[f64]| with(values).model);
-        let problem = FitProblem { parameters: parameters.clone(), model, curve };
+        let curves = records.iter().enumerate().map(curve).collect();
+        let problem = FitProblem { parameters: parameters.clone(), curves };
         let (found, seconds) = timed(|| {
             if let Some(pulls) = &pulls {
                 pulls.prepare(scene, &stop());
             }
-            study::fit(&problem, measured, &table.options, &scene.accuracy, &stop)
+            study::fit(&problem, &table.options, &scene.accuracy, &stop)
         });
         let fit = match found {
             Err(_) if session.watcher.asked() => {
@@ -201,16 +282,28 @@ impl Analysis for Fitting<'_> {
             }
             found => found.map_err(|why| of_scene(&why))?,
         };
-        Ok(FitOutcome { fit, measured: measured.clone(), file: file.clone(), seconds, against: *against })
+        let measured = records.iter().map(|record| (record.file.clone(), record.measured.clone())).collect();
+        Ok(FitOutcome { fit, measured, seconds, against: *against })
     }
 }
 
 impl FitOutcome {
     /// What is reported of the fit of a scene.
     pub fn report<'f>(&'f self, scene: &'f Scene) -> FitReport<'f> {
-        let Self { fit, measured, file, seconds, against } = self;
-        FitReport { scene, file, measured, fit, solve_s: *seconds, against: *against }
+        let Self { fit, measured, seconds, against } = self;
+        FitReport { scene, measured, fit, solve_s: *seconds, against: *against }
     }
+}
+
+/// The same with the files of its curves by their whole paths, so that it can be fitted wherever it is written.
+fn found_anywhere(mut scene: Scene) -> Scene {
+    let name = scene.name.clone();
+    for curve in scene.fit.iter_mut().flat_map(|table| &mut table.curves) {
+        if let Ok(path) = std::path::absolute(beside(&name, &curve.data)) {
+            curve.data = path.display().to_string();
+        }
+    }
+    scene
 }
 
 impl Outcome for FitOutcome {
@@ -222,7 +315,7 @@ impl Outcome for FitOutcome {
         let of = self.report(scene);
         let mut files = vec![FitSummary::new(&of).with_command(command).write(dir)?];
         files.extend(report::write_fit(dir, &self.fit, self.against)?);
-        files.push(report::write_parameters(dir, &of.fitted_scene(), command)?);
+        files.push(report::write_parameters(dir, &found_anywhere(of.fitted_scene()), command)?);
         files.extend(report::draw_fit(&of, dir)?);
         Ok(files)
     }

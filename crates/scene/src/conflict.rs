@@ -5,7 +5,8 @@ use crate::key::kind::{Key, Kind, Need};
 use crate::keys::KEYS;
 use crate::scene::Scene;
 use crate::studies::{fit, optimise, uncertainty};
-use crate::tables::{array, measured, rate, seta, solid};
+use crate::tables::setae::{array, seta};
+use crate::tables::{measured, rate, solid};
 use std::collections::HashSet;
 
 /// What is wrong with a scene of which every value is right by itself.
@@ -62,7 +63,8 @@ impl Conflict {
         }
         let Err(error) = scene.check() else {
             let of_fit = fit::conflict(scene).map(|problem| ("fit.parameters".to_owned(), problem));
-            let of_questions = of_fit.or_else(|| optimise::problem(scene));
+            let of_curves = || fit::curves_conflict(scene).map(|problem| ("fit.curves".to_owned(), problem));
+            let of_questions = of_fit.or_else(of_curves).or_else(|| optimise::problem(scene));
             let (key, problem) = of_questions.or_else(|| uncertainty::problem(scene))?;
             return Some(Self { key, problem, missing: None });
         };

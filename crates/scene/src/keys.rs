@@ -11,8 +11,9 @@ use crate::key::table::{
 };
 use crate::scene::Scene;
 use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
+use crate::tables::setae::{array, branching, seta};
 use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
-use crate::tables::{array, branching, fit, layers, optimise, output, rate, seta, solid, uncertainty};
+use crate::tables::{curves, fit, layers, optimise, output, rate, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
     Dimension::Length, Dimension::Pressure, Dimension::Stiffness, Dimension::Time, Dimension::Velocity,
@@ -302,8 +303,9 @@ pub static KEYS: &[Key] = &[
     key(&FIT, "parameters", Required, Kind::Setting(&fit::PARAMETERS), "keys to determine, with bounds if wanted"),
     key(&FIT, "force_error", Optional, Kind::Bound(Force, |s| &mut s.fit_table().options.force_error), "standard error of measured forces; none: from the residuals").titled("standard error of the measured forces", ""),
     key(&FIT, "displacement_error", Optional, Kind::Setting(&fit::DISPLACEMENT_ERROR), "standard error of measured displacements"),
-    key(&FIT, "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut s.fit_table().options.displacement_zero), "measured displacement at which the model's is zero").titled("zero of the measured displacement", "d"),
-    key(&FIT, "force_zero", Optional, Kind::Measure(Force, Range::FORCE_ZERO, |s| &mut s.fit_table().options.force_zero), "measured force at which the model's is zero").titled("zero of the measured force", "f"),
+    key(&FIT, "curves", Optional, Kind::Setting(&curves::CURVES), "measured curves that are fitted together"),
+    key(&FIT, "displacement_zero", Optional, Kind::Measure(Length, Range::OFFSET, |s| &mut s.fit_table().displacement_zero), "measured displacement at which the model's is zero").titled("zero of the measured displacement", "d"),
+    key(&FIT, "force_zero", Optional, Kind::Measure(Force, Range::FORCE_ZERO, |s| &mut s.fit_table().force_zero), "measured force at which the model's is zero").titled("zero of the measured force", "f"),
     key(&FIT, "columns", Optional, Kind::Setting(&fit::COLUMNS), "which columns of the data are fitted; none: by their units"),
     key(&FIT, "jump", Optional, Kind::Bound(Length, |s| &mut s.fit_table().jump), "measured displacement of the first jump; none: looked for").titled("measured displacement of the jump", ""),
     key(&FIT, "use_jump", Optional, Kind::Flag(|s| &mut s.fit_table().options.use_jump), "whether the displacement of the jump is a datum"),

@@ -32,15 +32,16 @@ pub use scene::rate::{Flow, TimeTable};
 pub use scene::seta::{SetaTable, SetaTipLaw};
 pub use scene::solid::SolidTable;
 pub use scene::studies::{
-    CorrelatedKeys, FitColumns, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey,
+    CorrelatedKeys, CurveOfFit, FitColumns, FitTable, FittedKey, FreeKey, FreeProfile, OptimisationTable, UncertainKey,
     UncertaintyTable, VolumeRule,
 };
 pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
+pub use studies::fit::of_one_curve;
 pub use studies::parameters::Parameters;
-pub use tables::array::{array_warnings, seta_lines};
 pub use tables::measured::problem as refused_quantity;
 pub use tables::output::{event, station, units};
+pub use tables::setae::array::{array_warnings, seta_lines};
 pub use value::Value;
 pub use value::form::{Entry, Form};
 pub use value::quantity::{Comma, Dimension, QuantityError, parse_quantity};

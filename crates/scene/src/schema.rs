@@ -127,6 +127,7 @@ fn of(form: &Form) -> Value {
         Form::List(one) => json!({ "type": "array", "items": of(one) }),
         Form::Table(entries) => entries_of(entries),
         Form::Step(words) => json!({ "type": "string", "pattern": format!("^\\s*(?:{})\\b", words.join("|")) }),
+        Form::Values => json!({ "type": "object", "additionalProperties": { "type": ["string", "number", "object"] } }),
         Form::OfKey => {
             let keys: Vec<String> = KEYS.iter().filter(|key| key.is_numeric()).map(Key::path).collect();
             json!({ "type": "string", "pattern": format!("^\\s*(?:{})\\b", keys.join("|").replace('.', "\\.")), "examples": keys })

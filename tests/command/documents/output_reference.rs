@@ -185,6 +185,9 @@ fn every_output_of_a_fit_is_described() {
     let json: Value = serde_json::from_slice(&std::fs::read(folder.path().join("fit/summary.json")).unwrap()).unwrap();
     let mut found = BTreeSet::new();
     keys_of(&json, "", &mut found);
+    let curves = format!("fit.curves=[{{ data = \"{}/scenes/strip-fit.csv\" }}]", super::ROOT);
+    let json = peel(&[&["fit", &scene, "--json", "--set", &curves], ROUGHLY].concat(), folder.path()).stdout;
+    keys_of(&serde_json::from_slice(&json).unwrap(), "", &mut found);
     assert_described(&found, "peel fit");
     for (file, name) in [("fit.csv", "fit.csv"), ("profiles.csv", "profiles.csv")] {
         let table = std::fs::read_to_string(folder.path().join("fit").join(file)).unwrap();

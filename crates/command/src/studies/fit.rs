@@ -20,8 +20,9 @@ pub struct Fit {
     /// The measured curve: a CSV with displacement, force and, if known, its error
     ///
     /// The header has names and units: displacement_nm,force_nN or u (um),P (mN),P error (mN).
-    #[arg(long, value_name = "CSV", required = true)]
-    data: PathBuf,
+    /// Without it the scene names its curves, as fit.curves.
+    #[arg(long, value_name = "CSV")]
+    data: Option<PathBuf>,
 
     #[command(flatten)]
     out: OutArgs,
@@ -33,12 +34,14 @@ pub struct Fit {
 
 pub fn fit(args: &Fit) -> Result<(), Stop> {
     let scene = args.scene.load_any()?;
-    let fitting = Fitting::of(&scene, Data::File(&args.data)).map_err(|why| Stop::refused(&scene, why))?;
-    let data = args.data.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let data = args.data.as_deref().map_or(Data::OfScene, Data::File);
+    let fitting = Fitting::of(&scene, data).map_err(|why| Stop::refused(&scene, why))?;
+    let name = |data: &PathBuf| data.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let named: Vec<String> = ["fit".to_owned()].into_iter().chain(args.data.as_ref().map(name)).collect();
     let drive = Drive {
         scene: &scene,
         out: &args.out,
-        folder: args.out.folder(args.json, || args.scene.default_folder(&["fit".to_owned(), data])),
+        folder: args.out.folder(args.json, || args.scene.default_folder(&named)),
         fresh: false,
         json: args.json,
         bar: Bar::spinner("fitting"),
@@ -66,6 +69,8 @@ The scene names what is fitted:
   parameters = [\"adhesion.hamaker_constant\", \"fit.displacement_zero\",
       { key = \"strip.youngs_modulus\", from = \"1 GPa\", to = \"5 GPa\" }]
   force_error = \"0.003 nN\"        standard error of a measured force; without it, it is estimated from the residuals
+  curves = [{ data = \"at-90.csv\" }, { data = \"at-60.csv\", set = { \"drive.angle\" = \"60 deg\" } }]
+                                  several curves at once, in place of --data
 
 The search begins at the values of the scene. Without bounds a parameter above zero stays within a factor of 100 of its
 first value. Compared is the first stable branch of the path, as a machine with the stiffness grip.stiffness records

@@ -7,12 +7,12 @@ use crate::chart::output::save_all;
 use crate::chart::panel::{Line, Mark, Panel};
 use crate::chart::picture::Picture;
 use crate::chart::place::Frame;
-use crate::chart::style::{WIDTH, colour};
+use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use crate::records::of_many::fit::FitReport;
 use crate::writing::error::ReportError;
-use peelkit::study::{Fit, FittedParameter, PointPlace, Profile};
-use peelkit_scene::{Key, find_key};
+use peelkit::study::{FittedCurve, FittedParameter, FittedPoint, MeasuredCurve, PointPlace, Profile};
+use peelkit_scene::{Key, find_key, of_one_curve};
 use std::path::{Path, PathBuf};
 
 const LEFT: f64 = 88.0;
@@ -34,38 +34,18 @@ pub fn draw_fit(of: &FitReport, dir: &Path) -> Result<Vec<PathBuf>, ReportError>
 }
 
 fn curves(of: &FitReport) -> Picture {
-    let FitReport { scene, measured, fit, against, .. } = of;
+    let FitReport { scene, fit, against, .. } = of;
     let scale = against.map_or(1.0, |key| key.per_usual_unit());
-    let dot = |at: (f64, f64), colour: RGBColor, name: &str| Mark {
-        at,
-        symbol: Symbol::Dot,
-        colour,
-        name: Some(name.to_owned()),
-        note: None,
-    };
-    let mut marks: Vec<Mark> =
-        fit.points.iter().map(|p| dot((scale * p.displacement, p.force), colour::INK, "measured")).collect();
-    let behind = measured.behind_jump.iter();
-    marks.extend(behind.map(|p| dot((p.displacement, p.force), colour::GREY, "measured behind the jump, not fitted")));
-    if let Some((jump, modelled)) = fit.jump.and_then(|jump| Some((jump.displacement, jump.modelled?))) {
-        let force = fit.curve.last().map_or(0.0, |at| at.1);
-        let mark = |at, name: &str| Mark { symbol: Symbol::Diamond, ..dot((at, force), colour::VERMILLION, name) };
-        marks.push(mark(modelled, "jump of the model"));
-        marks.push(Mark { symbol: Symbol::Triangle, ..dot((jump, 0.0), colour::GREEN, "measured jump") });
+    let (mut marks, mut lines) = (Vec::new(), Vec::new());
+    for (index, shown) in shown(of).iter().enumerate() {
+        marks.extend(shown.marks(scale));
+        lines.extend(shown.lines(scale, index == 0));
     }
-    let line = |points: &[(f64, f64)], stroke, name: &str| Line {
-        points: points.iter().map(|&(x, y)| (scale * x, y)).collect(),
-        stroke,
-        name: Some(name.to_owned()),
-    };
-    let lines = vec![
-        line(&fit.initial_curve, Stroke::dotted(colour::GREY, 1.8), "model of the scene"),
-        line(&fit.curve, Stroke::solid(colour::BLUE, 2.0), "fitted model"),
-    ];
     let places = || marks.iter().map(|mark| mark.at);
     let across = against.map_or_else(|| "displacement of the machine (nm)".to_owned(), Key::axis_title);
     let x = Axis::around(&across, places().map(|at| at.0), false);
-    let fitted = fit.curve.iter().filter(|at| scale * at.0 <= x.to).map(|at| at.1);
+    let modelled = fit.curves.iter().flat_map(|curve| &curve.curve);
+    let fitted = modelled.filter(|at| scale * at.0 <= x.to).map(|at| at.1);
     let y = Axis::around(
         if against.is_some() { "steady force P (nN)" } else { "force P (nN)" },
         places().map(|at| at.1).chain(fitted),
@@ -73,17 +53,80 @@ fn curves(of: &FitReport) -> Picture {
     );
     let frame = Frame { left: LEFT, top: 40.0, right: RIGHT, bottom: 340.0 };
     let upper = Panel { lines, marks, ..Panel::new(frame, x.clone(), y) };
-    Picture { title: scene.title.clone(), height: 614, panels: vec![upper, residuals(fit, x, scale)] }
+    Picture { title: scene.title.clone(), height: 614, panels: vec![upper, residuals(of, x, scale)] }
 }
 
-fn residuals(fit: &Fit, x: Axis, scale: f64) -> Panel {
-    let residual = |p: &peelkit::study::FittedPoint| (scale * p.displacement, (p.modelled - p.force) / p.error);
-    let shade = |place| if place == PointPlace::OnBranch { colour::INK } else { colour::ORANGE };
+/// A curve as it is drawn: the only one, or one of several with its name and its colour.
+struct Shown<'a> {
+    measured: &'a MeasuredCurve,
+    found: &'a FittedCurve,
+    of_several: Option<(String, RGBColor)>,
+}
+
+fn shown<'a>(of: &'a FitReport) -> Vec<Shown<'a>> {
+    let count = of.measured.len();
+    let one = |(index, (found, (file, measured))): (usize, (&'a FittedCurve, &'a (String, MeasuredCurve)))| {
+        let name = Path::new(file).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let of_several = (count > 1).then(|| (name, order_shade(index, count)));
+        Shown { measured, found, of_several }
+    };
+    of.fit.curves.iter().zip(of.measured).enumerate().map(one).collect()
+}
+
+fn dot(at: (f64, f64), colour: RGBColor, name: &str) -> Mark {
+    Mark { at, symbol: Symbol::Dot, colour, name: Some(name.to_owned()), note: None }
+}
+
+impl Shown<'_> {
+    fn colour(&self, only: RGBColor) -> RGBColor {
+        self.of_several.as_ref().map_or(only, |(_, colour)| *colour)
+    }
+
+    fn marks(&self, scale: f64) -> Vec<Mark> {
+        let name = self.of_several.as_ref().map_or("measured", |(name, _)| name);
+        let ink = self.colour(colour::INK);
+        let points = self.found.points.iter().map(|p| dot((scale * p.displacement, p.force), ink, name));
+        let mut marks: Vec<Mark> = points.collect();
+        let behind = self.measured.behind_jump.iter();
+        marks.extend(
+            behind.map(|p| dot((p.displacement, p.force), colour::GREY, "measured behind the jump, not fitted")),
+        );
+        if let Some((jump, modelled)) = self.found.jump.and_then(|jump| Some((jump.displacement, jump.modelled?))) {
+            let force = self.found.curve.last().map_or(0.0, |at| at.1);
+            let mark = |at, name: &str| Mark { symbol: Symbol::Diamond, ..dot((at, force), colour::VERMILLION, name) };
+            marks.push(mark(modelled, "jump of the model"));
+            marks.push(Mark { symbol: Symbol::Triangle, ..dot((jump, 0.0), colour::GREEN, "measured jump") });
+        }
+        marks
+    }
+
+    /// Those of the model; `named` are the lines of the first curve.
+    fn lines(&self, scale: f64, named: bool) -> [Line; 2] {
+        let line = |points: &[(f64, f64)], stroke, name: &str| Line {
+            points: points.iter().map(|&(x, y)| (scale * x, y)).collect(),
+            stroke,
+            name: named.then(|| name.to_owned()),
+        };
+        let fitted = if self.of_several.is_some() { "fitted models" } else { "fitted model" };
+        [
+            line(&self.found.initial_curve, Stroke::dotted(colour::GREY, 1.8), "model of the scene"),
+            line(&self.found.curve, Stroke::solid(self.colour(colour::BLUE), 2.0), fitted),
+        ]
+    }
+}
+
+fn residuals(of: &FitReport, x: Axis, scale: f64) -> Panel {
+    let residual = |p: &FittedPoint| (scale * p.displacement, (p.modelled - p.force) / p.error);
     let name = |place| {
         (place != PointPlace::OnBranch).then(|| "before the start, or behind the jump, of the model".to_owned())
     };
-    let mark = |p: &peelkit::study::FittedPoint| Mark { name: name(p.place), ..Mark::dot(residual(p), shade(p.place)) };
-    let marks: Vec<Mark> = fit.points.iter().map(mark).collect();
+    let of_curve = |shown: &Shown| {
+        let ink = shown.colour(colour::INK);
+        let shade = |place| if place == PointPlace::OnBranch { ink } else { colour::ORANGE };
+        let mark = |p: &FittedPoint| Mark { name: name(p.place), ..Mark::dot(residual(p), shade(p.place)) };
+        shown.found.points.iter().map(mark).collect::<Vec<_>>()
+    };
+    let marks: Vec<Mark> = shown(of).iter().flat_map(of_curve).collect();
     let y = Axis::around("residual / standard error", marks.iter().map(|mark| mark.at.1).chain([-3.0, 3.0]), false);
     let level = |height: f64, stroke| Line { points: vec![(x.from, height), (x.to, height)], stroke, name: None };
     let lines = vec![
@@ -102,7 +145,8 @@ const ROOM: f64 = 260.0;
 fn of_profiles(profiles: &[(&FittedParameter, &Profile)], title: &str) -> Picture {
     let panel = |(number, (parameter, profile)): (usize, &(&FittedParameter, &Profile))| {
         let top = 40.0 + ROOM * number as f64;
-        let name = find_key(&parameter.key).map_or(parameter.key.clone(), |key| key.axis_title_in_library_unit());
+        let path = of_one_curve(&parameter.key).map_or(parameter.key.as_str(), |(path, _)| path);
+        let name = find_key(path).map_or(parameter.key.clone(), |key| key.axis_title_in_library_unit());
         let points = &profile.points;
         let x = Axis::around(&name, points.iter().map(|at| at.0), parameter.logarithmic);
         let y = Axis::linear("excess of the sum", 0.0, 1.3 * profile.level);

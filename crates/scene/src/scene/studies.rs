@@ -13,8 +13,27 @@ pub struct FitTable {
     pub jump: Option<f64>,
     /// Which columns of the data hold what
     pub columns: FitColumns,
+    /// Curves that are fitted together; none where one is given beside the scene
+    pub curves: Vec<CurveOfFit>,
+    /// Measured displacement at which the model's is zero, nm: where the search begins, if it is fitted
+    pub displacement_zero: f64,
+    /// Measured force at which the model's is zero, nN: likewise
+    pub force_zero: f64,
     /// How
     pub options: FitOptions,
+}
+
+/// A measured curve of a fit of several.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurveOfFit {
+    /// The name of its CSV, beside the scene
+    pub data: String,
+    /// Numbers of the scene that are others for it, in the unit of the library
+    pub set: Vec<(String, f64)>,
+    /// As of the whole table, nm; none: that
+    pub displacement_zero: Option<f64>,
+    /// Likewise, nN
+    pub force_zero: Option<f64>,
 }
 
 /// The columns of measured data by their names, each perhaps with its unit behind it; none: by the dimension of the unit in the header.

@@ -7,7 +7,8 @@ use crate::key::kind::Key;
 use crate::keys::find_key;
 use crate::scene::studies::{FreeKey, OptimisationTable, VolumeRule};
 use crate::scene::{Described, Scene};
-use crate::tables::{rate, seta};
+use crate::tables::rate;
+use crate::tables::setae::seta;
 use crate::value::{Value, show};
 use peelkit::model::{Body, PeelModel, Profile, ProfileColumns, ProfileForm, ProfileTable};
 use peelkit::study::optimisation::{

@@ -2,7 +2,8 @@
 
 use crate::error::ValueError;
 use crate::scene::Scene;
-use crate::tables::{rate, seta};
+use crate::tables::rate;
+use crate::tables::setae::seta;
 use peelkit::study::PeelQuantity;
 
 impl Scene {

@@ -32,6 +32,8 @@ pub enum Form {
     Step(&'static [&'static str]),
     /// The path of a key of a scene, such as strip.height, and what may follow it
     OfKey,
+    /// A table of paths of keys with their numbers
+    Values,
 }
 
 /// An entry of a table within a value.

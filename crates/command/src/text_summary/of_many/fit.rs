@@ -8,19 +8,22 @@ use std::fmt::Write;
 
 /// The parameters with their errors, their correlations, the residuals and what is not to be trusted.
 pub fn fit(report: &FitReport) -> String {
-    let FitReport { scene, file, measured, fit, solve_s, against } = report;
+    let FitReport { scene, measured, fit, solve_s, against } = report;
     let mut lines: Vec<(&str, String)> = Vec::new();
-    let behind = match measured.behind_jump.len() {
-        0 => String::new(),
-        points => format!("; {points} behind the jump are not fitted"),
-    };
     let what = against.map_or("points".to_owned(), |key| format!("steady forces against {}", key.path()));
-    lines.push(("data", format!("{} {what} of {file}{behind}", fit.points.len())));
-    if let Some(jump) = fit.jump {
-        let modelled = jump.modelled.map_or("none".to_owned(), |at| format!("{at:.6} nm"));
-        let used = if jump.used { "" } else { ", not a datum" };
-        let measured = with_error(jump.displacement, jump.error);
-        lines.push(("first jump", format!("measured at {measured} nm, of the model {modelled}{used}")));
+    for (index, (curve, (file, measured))) in fit.curves.iter().zip(*measured).enumerate() {
+        let behind = match measured.behind_jump.len() {
+            0 => String::new(),
+            points => format!("; {points} behind the jump are not fitted"),
+        };
+        let text = format!("{} {what} of {file}{behind}", curve.points.len());
+        lines.push((if index == 0 { "data" } else { "" }, text));
+        if let Some(jump) = curve.jump {
+            let modelled = jump.modelled.map_or("none".to_owned(), |at| format!("{at:.6} nm"));
+            let used = if jump.used { "" } else { ", not a datum" };
+            let measured = with_error(jump.displacement, jump.error);
+            lines.push(("first jump", format!("measured at {measured} nm, of the model {modelled}{used}")));
+        }
     }
     let freedom = fit.degrees_of_freedom;
     let errors = match fit.estimated_error {

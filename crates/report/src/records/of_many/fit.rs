@@ -6,22 +6,29 @@ use crate::writing::names::unknown_error;
 use crate::writing::record::{Fields, Object, Record, write_table};
 use crate::writing::reference::Output;
 use peelkit::study::{
-    Combination, Fit, FitEnd, FitWarning, FittedJump, FittedParameter, FittedPoint, MeasuredCurve, PairDetermined,
-    PointPlace,
+    Combination, Fit, FitEnd, FitWarning, FittedCurve, FittedJump, FittedParameter, FittedPoint, MeasuredCurve,
+    PairDetermined, PointPlace,
 };
-use peelkit_scene::{Key, Scene, find_key};
+use peelkit_scene::{Key, Scene, find_key, of_one_curve};
 use std::path::{Path, PathBuf};
 
-impl Record for FittedPoint {
+/// A point of a curve.
+struct PointRow<'a> {
+    curve: usize,
+    point: &'a FittedPoint,
+}
+
+impl Record for PointRow<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("displacement_nm", "as measured", |point| point.displacement);
-        of.field("force_nN", "as measured", |point| point.force);
-        of.field("modelled_nN", "force of the fitted model", |point| point.modelled);
-        of.field("standard_error_nN", "of the measured force, with what that of its displacement adds", |point| point.error);
-        of.field("residual", "modelled less measured force, over that", |point| (point.modelled - point.force) / point.error);
-        of.field("weight", "how much the point counts: 1 with `loss = \"squares\"`, less for one far from the curve with another", |point| point.weight);
-        of.field("place", "`branch`; `before start`: before the path of the model begins; `behind jump`: behind its first jump", |point| place_word(point.place));
+        of.field("curve", "which of `fit.curves` it is of, from 1; 1 where there is one curve", |row| row.curve);
+        of.field("displacement_nm", "as measured", |row| row.point.displacement);
+        of.field("force_nN", "as measured", |row| row.point.force);
+        of.field("modelled_nN", "force of the fitted model", |row| row.point.modelled);
+        of.field("standard_error_nN", "of the measured force, with what that of its displacement adds", |row| row.point.error);
+        of.field("residual", "modelled less measured force, over that", |row| (row.point.modelled - row.point.force) / row.point.error);
+        of.field("weight", "how much the point counts: 1 with `loss = \"squares\"`, less for one far from the curve with another", |row| row.point.weight);
+        of.field("place", "`branch`; `before start`: before the path of the model begins; `behind jump`: behind its first jump", |row| place_word(row.point.place));
     }
 }
 
@@ -73,9 +80,15 @@ impl Record for ProfileRow<'_> {
 /// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
 pub fn write_fit(dir: &Path, fit: &Fit, against: Option<&Key>) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = vec![match against {
-        None => write_table(dir, "fit.csv", &fit.points)?,
+        None => {
+            let curves = fit.curves.iter().enumerate();
+            let rows: Vec<_> = curves
+                .flat_map(|(index, curve)| curve.points.iter().map(move |point| PointRow { curve: index + 1, point }))
+                .collect();
+            write_table(dir, "fit.csv", rows)?
+        }
         Some(key) => {
-            let rows: Vec<_> = fit.points.iter().map(|point| SteadyRow { key, point }).collect();
+            let rows: Vec<_> = fit.points().map(|point| SteadyRow { key, point }).collect();
             write_table(dir, "fit.csv", rows)?
         }
     }];
@@ -110,20 +123,21 @@ impl Record for FitReport<'_> {
         of.field("combinations", "products of powers of the parameters above zero whose errors are independent, the largest first", |found| found.fit.combinations.as_slice());
         of.field("pairs", "two parameters that the curve hardly tells apart, one of them poorly determined", |found| found.fit.pairs.iter().map(|pair| Pair { fit: found.fit, pair }).collect::<Vec<_>>());
         of.group("data", "what was measured", |of| {
-            of.field("file", "the file as it was named on the command line", |found| found.file);
+            of.field("file", "the file as it was named on the command line; null of several curves, which `curves` has", |found| found.only().map(|of| of.file));
             of.field("against", "the key against which steady forces were measured; null of a curve", |found| found.against.map(Key::path));
-            of.field("points", "points that were fitted", |found| found.fit.points.len());
-            of.field("behind_jump", "points behind the measured jump, which were not", |found| found.measured.behind_jump.len());
+            of.field("points", "points that were fitted", |found| found.fit.points().count());
+            of.field("behind_jump", "points behind the measured jump, which were not", |found| found.total(|of| of.behind_jump()));
             of.field("estimated_error_nN", "standard error of a force, estimated from the residuals; null where it was given", |found| found.fit.estimated_error);
             of.field("estimated_displacement_error_nm", "standard error of a displacement, likewise; null where `fit.displacement_error` gives it", |found| found.fit.estimated_displacement_error);
-            of.field("before_start_of_model", "points before the path of the model begins", |found| found.fit.count(PointPlace::BeforeStart));
-            of.field("behind_jump_of_model", "points behind the first jump of the model", |found| found.fit.count(PointPlace::BehindJump));
+            of.field("before_start_of_model", "points before the path of the model begins", |found| found.total(|of| of.curve.count(PointPlace::BeforeStart)));
+            of.field("behind_jump_of_model", "points behind the first jump of the model", |found| found.total(|of| of.curve.count(PointPlace::BehindJump)));
         });
-        of.field("jump", "the first jump; null where none was measured", |found| found.fit.jump);
+        of.field("curves", "each of the curves of `fit.curves`; empty where the scene has none", |found| found.curves());
+        of.field("jump", "the first jump; null where none was measured, and of several curves", |found| found.only().and_then(|of| of.curve.jump));
         of.field("sum_of_squares", "of the residuals over their standard errors", |found| found.fit.sum_of_squares);
         of.field("degrees_of_freedom", "data less parameters", |found| found.fit.degrees_of_freedom);
-        of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero", |found| found.fit.displacement_zero);
-        of.field("force_zero_nN", "the measured force at which the force of the model is zero", |found| found.fit.force_zero);
+        of.field("displacement_zero_nm", "the measured displacement at which the displacement of the model is zero; null of several curves", |found| found.only().map(|of| of.curve.displacement_zero));
+        of.field("force_zero_nN", "the measured force at which the force of the model is zero; likewise", |found| found.only().map(|of| of.curve.force_zero));
         of.field("warnings", "what is not to be trusted", |found| found.fit.warnings());
         of.field("unknown_error", "of a seta and of a pull at a rate: which part of the errors of the curve has no bound; else null", |found| unknown_error(found.scene));
         of.field("paths", "how many paths were computed", |found| found.fit.paths);
@@ -141,6 +155,25 @@ impl Found for FitReport<'_> {
 }
 
 impl FitReport<'_> {
+    /// Each curve, with what was read.
+    fn all(&self) -> impl Iterator<Item = CurveFound<'_>> {
+        self.fit.curves.iter().zip(self.measured).map(|(curve, (file, measured))| CurveFound { file, measured, curve })
+    }
+
+    /// The only one.
+    fn only(&self) -> Option<CurveFound<'_>> {
+        self.all().next().filter(|_| self.measured.len() == 1)
+    }
+
+    fn curves(&self) -> Vec<CurveFound<'_>> {
+        let named = self.scene.fit.as_ref().is_some_and(|table| !table.curves.is_empty());
+        if named { self.all().collect() } else { Vec::new() }
+    }
+
+    fn total(&self, of: impl Fn(&CurveFound) -> usize) -> usize {
+        self.all().map(|found| of(&found)).sum()
+    }
+
     fn fitted(&self) -> Vec<Fitted<'_>> {
         let fitted = |(index, parameter)| Fitted { unit: self.unit(index), parameter };
         self.fit.parameters.iter().enumerate().map(fitted).collect()
@@ -153,6 +186,33 @@ fn end(end: &FitEnd) -> (&'static str, Option<&str>) {
         FitEnd::Converged => ("converged", None),
         FitEnd::Stopped(why) => ("stopped", Some(why)),
         FitEnd::Interrupted => ("interrupted", None),
+    }
+}
+
+/// A measured curve with its file and what the model says of it.
+struct CurveFound<'a> {
+    file: &'a str,
+    measured: &'a MeasuredCurve,
+    curve: &'a FittedCurve,
+}
+
+impl CurveFound<'_> {
+    fn behind_jump(&self) -> usize {
+        self.measured.behind_jump.len()
+    }
+}
+
+impl Record for CurveFound<'_> {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("file", "its file, beside the scene", |found| found.file);
+        of.field("points", "points that were fitted", |found| found.curve.points.len());
+        of.field("behind_jump", "points behind its measured jump, which were not", |found| found.behind_jump());
+        of.field("before_start_of_model", "points before the path of the model begins", |found| found.curve.count(PointPlace::BeforeStart));
+        of.field("behind_jump_of_model", "points behind the first jump of the model", |found| found.curve.count(PointPlace::BehindJump));
+        of.field("jump", "its first jump; null where none was measured", |found| found.curve.jump);
+        of.field("displacement_zero_nm", "its displacement at which that of the model is zero", |found| found.curve.displacement_zero);
+        of.field("force_zero_nN", "its force at which that of the model is zero", |found| found.curve.force_zero);
     }
 }
 
@@ -224,7 +284,7 @@ impl Record for FitWarning {
 pub(crate) fn outputs() -> Vec<Output> {
     vec![
         Output::object("peel fit", FitSummary::keys()),
-        Output::table("fit.csv", FittedPoint::keys()),
+        Output::table("fit.csv", PointRow::keys()),
         Output::table("fit.csv of steady forces", SteadyRow::keys()),
         Output::table("profiles.csv", ProfileRow::keys()),
     ]
@@ -237,10 +297,8 @@ pub(crate) fn outputs() -> Vec<Output> {
 pub struct FitReport<'a> {
     /// The scene with the parameters at which the search began
     pub scene: &'a Scene,
-    /// The file of the measured curve, as it was named
-    pub file: &'a str,
-    /// What was read from it
-    pub measured: &'a MeasuredCurve,
+    /// The files of the measured curves, as they were named, and what was read from them
+    pub measured: &'a [(String, MeasuredCurve)],
     /// What was found
     pub fit: &'a Fit,
     /// Seconds that it took
@@ -258,6 +316,7 @@ impl FitReport<'_> {
 
     /// The unit of a parameter; empty where it has none.
     pub fn unit(&self, index: usize) -> &'static str {
-        find_key(&self.fit.parameters[index].key).map_or("", Key::unit)
+        let path = &self.fit.parameters[index].key;
+        find_key(of_one_curve(path).map_or(path.as_str(), |(path, _)| path)).map_or("", Key::unit)
     }
 }

@@ -1,0 +1,109 @@
+//! The curves of a fit of several.
+
+use super::bounded::{entry, named, number, written_number};
+use crate::key::kind::{Key, Setting};
+use crate::scene::studies::CurveOfFit;
+use crate::value::form::{Entry, Form};
+use crate::value::quantity::Dimension;
+use crate::value::{Fault, Value};
+use peelkit::model::Range;
+
+/// Most curves of one fit.
+const MOST: usize = 50;
+
+/// The entries of a curve.
+const CURVE: &[Entry] = &[
+    Entry::needed("data", || Form::Text),
+    Entry::optional("set", || Form::Values),
+    Entry::optional("displacement_zero", || Form::Quantity(Dimension::Length, Range::OFFSET)),
+    Entry::optional("force_zero", || Form::Quantity(Dimension::Force, Range::FORCE_ZERO)),
+];
+
+/// `curves`
+pub(crate) static CURVES: Setting = Setting {
+    takes: "a list of tables, one a measured curve, each with `data`, the name of its CSV beside the scene; `set`, a table of the numbers of the scene \
+            that are others for it; and `displacement_zero` and `force_zero`, where they are not those of all",
+    brief: "list of tables",
+    example: "[{ data = \"at-90.csv\" }, { data = \"at-60.csv\", set = { \"drive.angle\" = \"60 deg\" } }]",
+    form: || Form::list(Form::Table(CURVE)),
+    read: |scene, value, keys| {
+        let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
+        if items.is_empty() || items.len() > MOST {
+            return Err(Fault::whole(format!("has {} curves; it takes 1 to {MOST}", items.len())));
+        }
+        let one = |(item, value): (usize, &Value)| {
+            let read = curve(value, keys).map_err(|found| format!("has in curve {} {found}", item + 1));
+            read.map_err(|found| Fault::at(item, found))
+        };
+        let curves: Result<Vec<CurveOfFit>, Fault> = items.iter().enumerate().map(one).collect();
+        scene.fit_table().curves = curves?;
+        Ok(())
+    },
+    write: |scene, keys| {
+        let curves = &scene.fit.as_ref()?.curves;
+        (!curves.is_empty()).then(|| Value::List(curves.iter().map(|curve| written(curve, keys)).collect()))
+    },
+};
+
+fn curve(value: &Value, keys: &[Key]) -> Result<CurveOfFit, String> {
+    let Value::Table(entries) = value else { return Err(format!("{value}, no table of its data")) };
+    let of = |name: &str| entry(entries, CURVE, name);
+    let data = match of("data")? {
+        Some(Value::Text(text)) if !text.trim().is_empty() => text.trim().to_owned(),
+        other => {
+            return Err(format!("`data` = {}, no name of a file", other.map_or_else(String::new, ToString::to_string)));
+        }
+    };
+    let set = match of("set")? {
+        None => Vec::new(),
+        Some(Value::Table(set)) => others("", set, keys)?,
+        Some(other) => return Err(format!("`set` = {other}, no table of keys")),
+    };
+    let zero = |name: &str| {
+        let key = named(&format!("fit.{name}"), keys)?;
+        of(name)?.map(|value| number(key, name, value)).transpose()
+    };
+    Ok(CurveOfFit { data, set, displacement_zero: zero("displacement_zero")?, force_zero: zero("force_zero")? })
+}
+
+/// Numbers of the scene that are others for a curve: `"drive.angle" = ..`, or `drive = { angle = .. }`.
+fn others(within: &str, set: &[(String, Value)], keys: &[Key]) -> Result<Vec<(String, f64)>, String> {
+    let mut found = Vec::new();
+    for (name, value) in set {
+        let path = if within.is_empty() { name.clone() } else { format!("{within}.{name}") };
+        match value {
+            Value::Table(inner) if within.is_empty() => found.extend(others(&path, inner, keys)?),
+            value => found.push(other(&path, value, keys)?),
+        }
+    }
+    Ok(found)
+}
+
+/// One of them.
+fn other(path: &str, value: &Value, keys: &[Key]) -> Result<(String, f64), String> {
+    let key = named(path, keys)?;
+    let path = key.path();
+    if !key.is_numeric() || key.is_count() || ["", "accuracy", "bounds", "fit"].contains(&key.table) {
+        return Err(format!("`set` with `{path}`, which is not a number of the model"));
+    }
+    let number = number(key, &path, value)?;
+    if !key.range().contains(number) {
+        return Err(format!("`set` with `{path}` = {value}, which is out of range: it takes {}", key.takes()));
+    }
+    Ok((path, number))
+}
+
+fn written(curve: &CurveOfFit, keys: &[Key]) -> Value {
+    let CurveOfFit { data, set, displacement_zero, force_zero } = curve;
+    let set: Vec<_> = set.iter().map(|(path, number)| (path.clone(), written_number(path, *number, keys))).collect();
+    let zero = |name: &str, number: Option<f64>| {
+        Some((name.to_owned(), written_number(&format!("fit.{name}"), number?, keys)))
+    };
+    let entries = [
+        Some(("data".to_owned(), Value::Text(data.clone()))),
+        (!set.is_empty()).then(|| ("set".to_owned(), Value::Table(set))),
+        zero("displacement_zero", *displacement_zero),
+        zero("force_zero", *force_zero),
+    ];
+    Value::Table(entries.into_iter().flatten().collect())
+}
