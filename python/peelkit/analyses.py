@@ -137,7 +137,7 @@ def optimise(scene: Scene) -> Optimum:
 
 def fit(
     scene: Scene,
-    data: str | os.PathLike[str] | ArrayLike,
+    data: str | os.PathLike[str] | ArrayLike | None = None,
     force: ArrayLike | None = None,
     error: ArrayLike | None = None,
 ) -> Fit:
@@ -147,8 +147,8 @@ def fit(
     ----------
     scene : Scene
         Says in its table ``fit`` which parameters, and how.
-    data : path, or array of displacements
-        A CSV with displacement, force and, if known, its standard error, with units in its header; or the displacements
+    data : path, or array of displacements, optional
+        Absent where the scene names its curves, as ``fit.curves``. A CSV with displacement, force and, if known, its standard error, with units in its header; or the displacements
         in nm, in the order in which they were measured.
     force : array, optional
         Of the displacements, nN. Absent where `data` is a file.
@@ -170,7 +170,11 @@ def fit(
     SceneError
         Where scene and curve cannot be fitted.
     """
-    if isinstance(data, (str, os.PathLike)):
+    if data is None:
+        if force is not None or error is not None:
+            raise TypeError("`data` is missing: give displacements with the forces")
+        native = _native.fit(scene._native, None, None)
+    elif isinstance(data, (str, os.PathLike)):
         if force is not None or error is not None:
             raise TypeError(
                 "`force` and `error` are columns of the file; give arrays in place of the file, or the file alone"

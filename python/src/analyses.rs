@@ -90,12 +90,13 @@ pub fn optimise(py: Python, scene: &NativeScene) -> PyResult<NativeFound> {
 /// The measured points that were given: displacement in nm, force and its standard error in nN.
 type Points = Vec<(f64, f64, Option<f64>)>;
 
-/// The parameters of a scene from a measured curve, a file in CSV or points, and the fitted scene.
+/// The parameters of a scene from a measured curve, a file in CSV or points, or from the curves that it names, and the fitted scene.
 #[pyfunction]
-pub fn fit(py: Python, scene: &NativeScene, file: &str, points: Option<Points>) -> PyResult<NativeFound> {
-    let data = match points {
-        Some(points) => Data::Points(file, points.into_iter().map(measured_point).collect()),
-        None => Data::File(Path::new(file)),
+pub fn fit(py: Python, scene: &NativeScene, file: Option<&str>, points: Option<Points>) -> PyResult<NativeFound> {
+    let data = match (file, points) {
+        (None, _) => Data::OfScene,
+        (Some(name), Some(points)) => Data::Points(name, points.into_iter().map(measured_point).collect()),
+        (Some(file), None) => Data::File(Path::new(file)),
     };
     let found = analysed(py, &scene.source, |scene| Fitting::of(scene, data))?;
     let fitted = found.report(&scene.source.scene).fitted_scene();

@@ -45,6 +45,16 @@ def test_an_optimum(in_root: None, command: Command, tmp_path: Path) -> None:
     assert peak.force == pytest.approx(found.objective, rel=1e-6)
 
 
+def test_a_fit_of_several_curves(in_root: None, command: Command) -> None:
+    """The curves that a scene names are fitted together, as the command does."""
+    scene = peelkit.Scene.read("scenes/tape-curves.toml")
+    found = peelkit.fit(scene)
+    assert found.parameters["fit.displacement_zero[2]"] == pytest.approx(3.5e5, rel=0.1)
+    assert comparable(found.summary()) == comparable(command("fit", "scenes/tape-curves.toml", "--json"))
+    with pytest.raises(TypeError, match="`data` is missing"):
+        peelkit.fit(scene, force=[1.0])
+
+
 def test_a_fit(in_root: None, command: Command, tmp_path: Path) -> None:
     """A curve of the model itself gives back the modulus that it was computed with."""
     given = peelkit.Scene.read(STRIP)
