@@ -188,11 +188,11 @@ fn several_curves_are_fitted_together() {
     let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
     let number = |value: &Value| value.as_f64().unwrap();
     let fitted = summary["fitted"].as_array().unwrap();
-    for (row, known) in fitted.iter().zip([120.0, 8e-4, 2e4, 8e5, 3.5e5, 1.5e8, -5e7]) {
+    for (row, known) in fitted.iter().zip([120.0, 8e-4, 2e4, 8e5, 3.5e5]) {
         let (low, high) = (number(&row["interval"][0]), number(&row["interval"][1]));
         assert!(low < known && known < high, "{row}");
     }
-    assert_eq!((fitted.len(), fitted[4]["key"].as_str()), (7, Some("fit.displacement_zero[2]")));
+    assert_eq!((fitted.len(), fitted[4]["key"].as_str()), (5, Some("fit.displacement_zero[2]")));
     let curves = summary["curves"].as_array().unwrap();
     assert!(curves[1]["file"].as_str().unwrap().ends_with("tape-60.csv"), "{}", curves[1]);
     assert_eq!(curves[1]["displacement_zero_nm"], fitted[4]["value"]);
