@@ -61,8 +61,7 @@ impl<'s> Fitting<'s> {
             }
             (false, Data::OfScene) => {
                 for (index, curve) in fitting.table.curves.clone().iter().enumerate() {
-                    let path = beside(&scene.name, &curve.data);
-                    let (file, record) = read(&path, &fitting.table, &scene.of_curve(index))?;
+                    let (file, record) = read(&scene.beside(&curve.data), &fitting.table, &scene.of_curve(index))?;
                     if let Some(key) = record.against {
                         return Err(Refusal::asked(
                             format!(
@@ -125,11 +124,6 @@ impl<'s> Fitting<'s> {
 /// What is wrong with a file.
 fn wrong(file: &str, why: FitDataError) -> Refusal {
     Refusal::asked(format!("{file} {why}"), why.remedy())
-}
-
-/// The file that a scene of this name names, which is beside it.
-fn beside(scene: &str, named: &str) -> PathBuf {
-    Path::new(scene).parent().unwrap_or(Path::new("")).join(named)
 }
 
 /// Reads a file that was measured with the body of a scene.
@@ -272,7 +266,7 @@ impl Analysis for Fitting<'_> {
         let problem = FitProblem { parameters: parameters.clone(), curves };
         let (found, seconds) = timed(|| {
             if let Some(pulls) = &pulls {
-                pulls.prepare(scene, &stop());
+                (0..records.len()).for_each(|index| pulls.prepare(&scene.of_curve(index), &stop()));
             }
             study::fit(&problem, &table.options, &scene.accuracy, &stop)
         });
@@ -297,13 +291,13 @@ impl FitOutcome {
 
 /// The same with the files of its curves by their whole paths, so that it can be fitted wherever it is written.
 fn found_anywhere(mut scene: Scene) -> Scene {
-    let name = scene.name.clone();
-    for curve in scene.fit.iter_mut().flat_map(|table| &mut table.curves) {
-        if let Ok(path) = std::path::absolute(beside(&name, &curve.data)) {
+    let Some(mut table) = scene.fit.take() else { return scene };
+    for curve in &mut table.curves {
+        if let Ok(path) = std::path::absolute(scene.beside(&curve.data)) {
             curve.data = path.display().to_string();
         }
     }
-    scene
+    Scene { fit: Some(table), ..scene }
 }
 
 impl Outcome for FitOutcome {

@@ -5,8 +5,9 @@
 //! another, nor the powers of a product of units.
 
 use crate::body::{BODIES, shape_has};
+use crate::key::belongs::BY_LAYERS;
 use crate::key::kind::{Key, Need};
-use crate::key::table::{SETA, SUBSTRATE};
+use crate::key::table::{SETA, STRIP, SUBSTRATE};
 use crate::keys::{KEYS, tables};
 use crate::value::form::{Entry, Form};
 use peelkit::adhesion::Substrate;
@@ -64,6 +65,15 @@ fn table(name: &str) -> Value {
         "adhesion" => {
             let half_space: Vec<&str> = keys_of(name).filter(needed).map(|key| key.name).collect();
             schema["anyOf"] = json!([{ "required": half_space }, { "required": ["law", "work", "strength"] }, { "required": ["law", "table"] }]);
+        }
+        // layers stand in place of what they give
+        name if name == STRIP.name => {
+            let given = |key: &&Key| BY_LAYERS.contains(&key.name);
+            let names = |keys: Vec<&Key>| keys.iter().map(|key| key.name).collect::<Vec<_>>();
+            let of_one = names(keys_of(name).filter(needed).filter(given).collect());
+            let apart: Vec<Value> = BY_LAYERS.iter().map(|key| json!({ "not": { "required": [key] } })).collect();
+            schema["required"] = json!(names(keys_of(name).filter(needed).filter(|key| !given(key)).collect()));
+            schema["oneOf"] = json!([{ "required": of_one }, { "required": ["layers"], "allOf": apart }]);
         }
         _ => {
             let alone = keys_of(name).filter(needed).filter(|key| key.alternative().is_none());

@@ -165,7 +165,7 @@ impl Key {
 }
 
 /// Keys of `strip` which its layers give.
-const BY_LAYERS: [&str; 5] =
+pub(crate) const BY_LAYERS: [&str; 5] =
     ["height", "youngs_modulus", "poissons_ratio", "shear_correction", "bending_stiffness_factor"];
 
 // -- Lists of a seta, and its tree, in place of other keys --
