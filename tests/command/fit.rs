@@ -235,6 +235,9 @@ fn curves_that_cannot_be_fitted_together_are_refused() {
     with("[]", &["has 0 curves; it takes 1 to 50"]);
     with("[{ set = { \"drive.angle\" = \"60 deg\" } }]", &["has in curve 1 no `data`"]);
     let other = |set: &str, parts: &[&str]| with(&format!("[{{ data = \"a.csv\", set = {{ {set} }} }}]"), parts);
+    let jump = format!("[{{ data = \"{SCENES}/tape-90.csv\", jump = \"9 mm\" }}]");
+    with(&jump, &["tape-90.csv", "9000000"]);
+    with("[{ data = \"a.csv\", jump = \"-1 nm\" }]", &["curve 1"]);
     other("\"adhesion.work\" = \"90 J/m2\"", &["sets in curve 1 `adhesion.work`, which is fitted"]);
     other("\"grip.rotation\" = \"fixed\"", &["`set` with `grip.rotation`, which is not a number of the model"]);
     other("\"strip.heigth\" = \"1 um\"", &["strip.heigth"]);

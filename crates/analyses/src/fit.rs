@@ -75,7 +75,7 @@ impl<'s> Fitting<'s> {
                         curve.displacement_zero.unwrap_or(fitting.table.displacement_zero),
                         curve.force_zero.unwrap_or(fitting.table.force_zero),
                     ];
-                    fitting.add(file, record.points, zeros)?;
+                    fitting.add(file, record.points, zeros, curve.jump)?;
                 }
             }
             (false, _) => {
@@ -98,7 +98,7 @@ impl<'s> Fitting<'s> {
     /// A curve, or steady forces.
     fn add_record(&mut self, file: String, ForceRecord { points, against }: ForceRecord) -> Result<(), Refusal> {
         let zeros = [self.table.displacement_zero, self.table.force_zero];
-        let Some(key) = against else { return self.add(file, points, zeros) };
+        let Some(key) = against else { return self.add(file, points, zeros, None) };
         no_steady_force(self.scene, key, &self.parameters)?;
         if points.len() < FEWEST_FORCES {
             let (points, least) = (points.len(), FEWEST_FORCES);
@@ -110,12 +110,18 @@ impl<'s> Fitting<'s> {
         Ok(())
     }
 
-    /// A curve, with its zeros.
-    fn add(&mut self, file: String, points: Vec<MeasuredPoint>, zeros: [f64; 2]) -> Result<(), Refusal> {
+    /// A curve, with its zeros and, where it is not that of all, the displacement of its first jump.
+    fn add(
+        &mut self,
+        file: String,
+        points: Vec<MeasuredPoint>,
+        zeros: [f64; 2],
+        jump: Option<f64>,
+    ) -> Result<(), Refusal> {
         let curve = self.records.len();
         let is_fitted = self.parameters.iter().any(|parameter| parameter.of == ParameterOf::ForceZero { curve });
         let zero = Some(zeros[1]).filter(|_| !is_fitted);
-        let measured = MeasuredCurve::new(points, self.table.jump, zero).map_err(|why| wrong(&file, why))?;
+        let measured = MeasuredCurve::new(points, jump.or(self.table.jump), zero).map_err(|why| wrong(&file, why))?;
         self.records.push(Record { file, measured, zeros });
         Ok(())
     }

@@ -34,6 +34,8 @@ pub struct CurveOfFit {
     pub displacement_zero: Option<f64>,
     /// Likewise, nN
     pub force_zero: Option<f64>,
+    /// Measured displacement of its first jump, likewise, nm
+    pub jump: Option<f64>,
 }
 
 /// The columns of measured data by their names, each perhaps with its unit behind it; none: by the dimension of the unit in the header.

@@ -17,12 +17,13 @@ const CURVE: &[Entry] = &[
     Entry::optional("set", || Form::Values),
     Entry::optional("displacement_zero", || Form::Quantity(Dimension::Length, Range::OFFSET)),
     Entry::optional("force_zero", || Form::Quantity(Dimension::Force, Range::FORCE_ZERO)),
+    Entry::optional("jump", || Form::Quantity(Dimension::Length, Range::Positive)),
 ];
 
 /// `curves`
 pub(crate) static CURVES: Setting = Setting {
     takes: "a list of tables, one a measured curve, each with `data`, the name of its CSV beside the scene; `set`, a table of the numbers of the scene \
-            that are others for it; and `displacement_zero` and `force_zero`, where they are not those of all",
+            that are others for it; and `displacement_zero`, `force_zero` and `jump`, where they are not those of all",
     brief: "list of tables",
     example: "[{ data = \"at-90.csv\" }, { data = \"at-60.csv\", set = { \"drive.angle\" = \"60 deg\" } }]",
     form: || Form::list(Form::Table(CURVE)),
@@ -59,11 +60,12 @@ fn curve(value: &Value, keys: &[Key]) -> Result<CurveOfFit, String> {
         Some(Value::Table(set)) => others("", set, keys)?,
         Some(other) => return Err(format!("`set` = {other}, no table of keys")),
     };
-    let zero = |name: &str| {
+    let own = |name: &str| {
         let key = named(&format!("fit.{name}"), keys)?;
-        of(name)?.map(|value| number(key, name, value)).transpose()
+        of(name)?.map(|value| in_range(key, name, value)).transpose()
     };
-    Ok(CurveOfFit { data, set, displacement_zero: zero("displacement_zero")?, force_zero: zero("force_zero")? })
+    let (displacement_zero, force_zero) = (own("displacement_zero")?, own("force_zero")?);
+    Ok(CurveOfFit { data, set, displacement_zero, force_zero, jump: own("jump")? })
 }
 
 /// Numbers of the scene that are others for a curve: `"drive.angle" = ..`, or `drive = { angle = .. }`.
@@ -86,24 +88,31 @@ fn other(path: &str, value: &Value, keys: &[Key]) -> Result<(String, f64), Strin
     if !key.is_numeric() || key.is_count() || ["", "accuracy", "bounds", "fit"].contains(&key.table) {
         return Err(format!("`set` with `{path}`, which is not a number of the model"));
     }
-    let number = number(key, &path, value)?;
-    if !key.range().contains(number) {
-        return Err(format!("`set` with `{path}` = {value}, which is out of range: it takes {}", key.takes()));
-    }
+    let number = in_range(key, &path, value).map_err(|found| format!("`set` with {found}"))?;
     Ok((path, number))
 }
 
+/// What a key may be, in the unit of the library.
+fn in_range(key: &Key, name: &str, value: &Value) -> Result<f64, String> {
+    let number = number(key, name, value)?;
+    let is_right = key.range().contains(number);
+    is_right
+        .then_some(number)
+        .ok_or_else(|| format!("`{name}` = {value}, which is out of range: it takes {}", key.takes()))
+}
+
 fn written(curve: &CurveOfFit, keys: &[Key]) -> Value {
-    let CurveOfFit { data, set, displacement_zero, force_zero } = curve;
+    let CurveOfFit { data, set, displacement_zero, force_zero, jump } = curve;
     let set: Vec<_> = set.iter().map(|(path, number)| (path.clone(), written_number(path, *number, keys))).collect();
-    let zero = |name: &str, number: Option<f64>| {
+    let own = |name: &str, number: Option<f64>| {
         Some((name.to_owned(), written_number(&format!("fit.{name}"), number?, keys)))
     };
     let entries = [
         Some(("data".to_owned(), Value::Text(data.clone()))),
         (!set.is_empty()).then(|| ("set".to_owned(), Value::Table(set))),
-        zero("displacement_zero", *displacement_zero),
-        zero("force_zero", *force_zero),
+        own("displacement_zero", *displacement_zero),
+        own("force_zero", *force_zero),
+        own("jump", *jump),
     ];
     Value::Table(entries.into_iter().flatten().collect())
 }
