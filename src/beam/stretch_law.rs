@@ -39,7 +39,7 @@ pub struct StretchResponse<T> {
 }
 
 /// Strains closer than this to one another are the same, over the stretch.
-const SAME: f64 = 1e-16;
+const SAME: f64 = 1e-15;
 /// Steps of Newton's method after which it has converged from anywhere that a number can be.
 const MOST: usize = 200;
 
