@@ -44,6 +44,10 @@ const SAME: f64 = 1e-15;
 const MOST: usize = 200;
 
 impl StretchLaw {
+    /// All of them, by their names.
+    pub const NAMED: [(&str, Self); 3] =
+        [("linear", Self::Linear), ("neo-hookean", Self::NeoHookean), ("neo-hookean-wide", Self::NeoHookeanWide)];
+
     /// Whether N is EA Γ1.
     pub fn is_linear(self) -> bool {
         self == Self::Linear

@@ -296,6 +296,11 @@ impl PeelModel {
         self.geometry().breaks()
     }
 
+    /// Whether it is a strip of layers.
+    pub fn has_layers(&self) -> bool {
+        self.strip().is_some_and(|strip| strip.layers.is_some())
+    }
+
     /// Thickness over the height h of the sections: 1, but of layers, whose h is twice the distance of the adhering face from the axis.
     pub fn thickness_over_height(&self) -> f64 {
         self.geometry().thickness_over_height()

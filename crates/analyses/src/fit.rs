@@ -32,6 +32,8 @@ struct Record {
     measured: MeasuredCurve,
     /// d and f where they are not fitted, nm and nN
     zeros: [f64; 2],
+    /// The scene with the numbers that are others for it
+    scene: Scene,
 }
 
 /// A scene, and measured curves that are fitted.
@@ -61,7 +63,8 @@ impl<'s> Fitting<'s> {
             }
             (false, Data::OfScene) => {
                 for (index, curve) in fitting.table.curves.clone().iter().enumerate() {
-                    let (file, record) = read(&scene.beside(&curve.data), &fitting.table, &scene.of_curve(index))?;
+                    let own = scene.of_curve(index);
+                    let (file, record) = read(&scene.beside(&curve.data), &fitting.table, &own)?;
                     if let Some(key) = record.against {
                         return Err(Refusal::asked(
                             format!(
@@ -75,7 +78,7 @@ impl<'s> Fitting<'s> {
                         curve.displacement_zero.unwrap_or(fitting.table.displacement_zero),
                         curve.force_zero.unwrap_or(fitting.table.force_zero),
                     ];
-                    fitting.add(file, record.points, zeros, curve.jump)?;
+                    fitting.add(own, file, record.points, zeros, curve.jump)?;
                 }
             }
             (false, _) => {
@@ -98,7 +101,7 @@ impl<'s> Fitting<'s> {
     /// A curve, or steady forces.
     fn add_record(&mut self, file: String, ForceRecord { points, against }: ForceRecord) -> Result<(), Refusal> {
         let zeros = [self.table.displacement_zero, self.table.force_zero];
-        let Some(key) = against else { return self.add(file, points, zeros, None) };
+        let Some(key) = against else { return self.add(self.scene.clone(), file, points, zeros, None) };
         no_steady_force(self.scene, key, &self.parameters)?;
         if points.len() < FEWEST_FORCES {
             let (points, least) = (points.len(), FEWEST_FORCES);
@@ -106,13 +109,15 @@ impl<'s> Fitting<'s> {
         }
         self.table.options.displacement_error = DisplacementError::None;
         self.against = Some(key);
-        self.records.push(Record { file, measured: steady(points), zeros: [0.0, zeros[1]] });
+        let scene = self.scene.clone();
+        self.records.push(Record { file, measured: steady(points), zeros: [0.0, zeros[1]], scene });
         Ok(())
     }
 
-    /// A curve, with its zeros and, where it is not that of all, the displacement of its first jump.
+    /// A curve of a scene, with its zeros and, where it is not that of all, the displacement of its first jump.
     fn add(
         &mut self,
+        scene: Scene,
         file: String,
         points: Vec<MeasuredPoint>,
         zeros: [f64; 2],
@@ -122,7 +127,7 @@ impl<'s> Fitting<'s> {
         let is_fitted = self.parameters.iter().any(|parameter| parameter.of == ParameterOf::ForceZero { curve });
         let zero = Some(zeros[1]).filter(|_| !is_fitted);
         let measured = MeasuredCurve::new(points, jump.or(self.table.jump), zero).map_err(|why| wrong(&file, why))?;
-        self.records.push(Record { file, measured, zeros });
+        self.records.push(Record { file, measured, zeros, scene });
         Ok(())
     }
 }
@@ -242,37 +247,29 @@ impl Analysis for Fitting<'_> {
         let varied = parameters.iter().filter(|parameter| parameter.of == ParameterOf::Model).count();
         let steps = records.len() * (1 + 2 * varied);
         let meter = pulls.as_ref().map(|pulls| (pulls, pulls.meter(session, Parts::AStep(steps))));
-        let curve = |(index, record): (usize, &Record)| {
-            let own = scene.of_curve(index);
-            let keys: Vec<String> = parameters.iter().map(|parameter| parameter.key.clone()).collect();
-            let of = own.clone();
-            let with =
-                move |values: &[f64]| of.with_numbers(keys.iter().map(String::as_str).zip(values.iter().copied()));
+        let curves = records.iter().map(|record| {
+            let with = move |values: &[f64]| {
+                let keys = parameters.iter().map(|parameter| parameter.key.as_str());
+                record.scene.with_numbers(keys.zip(values.iter().copied()))
+            };
             let by = match (&meter, against) {
                 (None, None) => CurveBy::Peel,
-                (None, Some(key)) => {
-                    let (with, measured) = (with.clone(), record.measured.clone());
-                    CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
-                        let at = measured.points.iter().map(|point| point.displacement);
-                        steady_forces(&with(values), key, at, stop)
-                    }))
-                }
-                (Some((pulls, meter)), _) => {
-                    let with = with.clone();
-                    CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
-                        meter.over(|| pulls.curve(&with(values), stop))
-                    }))
-                }
+                (None, Some(key)) => CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
+                    let at = record.measured.points.iter().map(|point| point.displacement);
+                    steady_forces(&with(values), key, at, stop)
+                })),
+                (Some((pulls, meter)), _) => CurveBy::Values(Box::new(move |values, stop: &StopCriteria| {
+                    meter.over(|| pulls.curve(&with(values), stop))
+                })),
             };
             let [displacement_zero, force_zero] = record.zeros;
             let model = Box::new(move |values: &[f64]| with(values).model);
             FitCurve { measured: record.measured.clone(), model, by, displacement_zero, force_zero }
-        };
-        let curves = records.iter().enumerate().map(curve).collect();
-        let problem = FitProblem { parameters: parameters.clone(), curves };
+        });
+        let problem = FitProblem { parameters: parameters.clone(), curves: curves.collect() };
         let (found, seconds) = timed(|| {
             if let Some(pulls) = &pulls {
-                (0..records.len()).for_each(|index| pulls.prepare(&scene.of_curve(index), &stop()));
+                records.iter().for_each(|record| pulls.prepare(&record.scene, &stop()));
             }
             study::fit(&problem, &table.options, &scene.accuracy, &stop)
         });

@@ -37,7 +37,7 @@ pub use scene::studies::{
 };
 pub use scene::{Described, Scene, TableTexts};
 pub use schema::schema;
-pub use studies::fit::of_one_curve;
+pub use studies::fit::key_of_parameter;
 pub use studies::parameters::Parameters;
 pub use tables::measured::problem as refused_quantity;
 pub use tables::output::{event, station, units};

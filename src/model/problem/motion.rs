@@ -102,7 +102,7 @@ impl PeelModel {
             (self.pull.turn != 0.0, "a grip that turns as it goes"),
             (self.grip.pretension.is_some(), "a pretension"),
             (!self.material().stretch.is_linear(), "a stretch that is not linear"),
-            (self.strip().is_some_and(|strip| strip.layers.is_some()), "layers"),
+            (self.has_layers(), "layers"),
         ];
         if let Some((_, what)) = not_covered.into_iter().find(|(is_there, _)| *is_there) {
             return Err(NotInTime::NotCovered { what });

@@ -114,7 +114,7 @@ impl NotOutOfPlane {
             (model.friction_law().is_some(), Self::Friction),
             (model.adhesion.shear_strength.is_some(), Self::Shear),
             (!model.material().stretch.is_linear(), Self::Stretch),
-            (model.strip().is_some_and(|strip| strip.layers.is_some()), Self::Layers),
+            (model.has_layers(), Self::Layers),
             (!model.line_law().has_potential(), Self::NoPotential),
         ];
         reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)

@@ -50,12 +50,7 @@ impl Row {
         if let Some(word) = self.text("law") {
             adhesion.attraction = Attraction::named(word)?;
         }
-        let stretches = [
-            ("linear", StretchLaw::Linear),
-            ("neo-hookean", StretchLaw::NeoHookean),
-            ("neo-hookean-wide", StretchLaw::NeoHookeanWide),
-        ];
-        self.pick("stretch", &stretches, &mut strip.material.stretch)?;
+        self.pick("stretch", &StretchLaw::NAMED, &mut strip.material.stretch)?;
         self.pick("grip_rotation", &holds, &mut grip.rotation)?;
         self.pick("grip_horizontal", &holds, &mut grip.horizontal)?;
         self.pick("grip_across", &holds, &mut grip.horizontal)?;

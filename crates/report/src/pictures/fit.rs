@@ -12,7 +12,7 @@ use crate::chart::symbol::Symbol;
 use crate::records::of_many::fit::FitReport;
 use crate::writing::error::ReportError;
 use peelkit::study::{FittedCurve, FittedParameter, FittedPoint, MeasuredCurve, PointPlace, Profile};
-use peelkit_scene::{Key, find_key, of_one_curve};
+use peelkit_scene::{Key, key_of_parameter};
 use std::path::{Path, PathBuf};
 
 const LEFT: f64 = 88.0;
@@ -37,7 +37,8 @@ fn curves(of: &FitReport) -> Picture {
     let FitReport { scene, fit, against, .. } = of;
     let scale = against.map_or(1.0, |key| key.per_usual_unit());
     let (mut marks, mut lines) = (Vec::new(), Vec::new());
-    for (index, shown) in shown(of).iter().enumerate() {
+    let all = shown(of);
+    for (index, shown) in all.iter().enumerate() {
         marks.extend(shown.marks(scale));
         lines.extend(shown.lines(scale, index == 0));
     }
@@ -53,7 +54,7 @@ fn curves(of: &FitReport) -> Picture {
     );
     let frame = Frame { left: LEFT, top: 40.0, right: RIGHT, bottom: 340.0 };
     let upper = Panel { lines, marks, ..Panel::new(frame, x.clone(), y) };
-    Picture { title: scene.title.clone(), height: 614, panels: vec![upper, residuals(of, x, scale)] }
+    Picture { title: scene.title.clone(), height: 614, panels: vec![upper, residuals(&all, x, scale)] }
 }
 
 /// A curve as it is drawn: the only one, or one of several with its name and its colour.
@@ -115,8 +116,8 @@ impl Shown<'_> {
     }
 }
 
-fn residuals(of: &FitReport, x: Axis, scale: f64) -> Panel {
-    let residual = |p: &FittedPoint| (scale * p.displacement, (p.modelled - p.force) / p.error);
+fn residuals(all: &[Shown], x: Axis, scale: f64) -> Panel {
+    let residual = |p: &FittedPoint| (scale * p.displacement, p.residual());
     let name = |place| {
         (place != PointPlace::OnBranch).then(|| "before the start, or behind the jump, of the model".to_owned())
     };
@@ -126,7 +127,7 @@ fn residuals(of: &FitReport, x: Axis, scale: f64) -> Panel {
         let mark = |p: &FittedPoint| Mark { name: name(p.place), ..Mark::dot(residual(p), shade(p.place)) };
         shown.found.points.iter().map(mark).collect::<Vec<_>>()
     };
-    let marks: Vec<Mark> = shown(of).iter().flat_map(of_curve).collect();
+    let marks: Vec<Mark> = all.iter().flat_map(of_curve).collect();
     let y = Axis::around("residual / standard error", marks.iter().map(|mark| mark.at.1).chain([-3.0, 3.0]), false);
     let level = |height: f64, stroke| Line { points: vec![(x.from, height), (x.to, height)], stroke, name: None };
     let lines = vec![
@@ -145,8 +146,8 @@ const ROOM: f64 = 260.0;
 fn of_profiles(profiles: &[(&FittedParameter, &Profile)], title: &str) -> Picture {
     let panel = |(number, (parameter, profile)): (usize, &(&FittedParameter, &Profile))| {
         let top = 40.0 + ROOM * number as f64;
-        let path = of_one_curve(&parameter.key).map_or(parameter.key.as_str(), |(path, _)| path);
-        let name = find_key(path).map_or(parameter.key.clone(), |key| key.axis_title_in_library_unit());
+        let name =
+            key_of_parameter(&parameter.key).map_or(parameter.key.clone(), |key| key.axis_title_in_library_unit());
         let points = &profile.points;
         let x = Axis::around(&name, points.iter().map(|at| at.0), parameter.logarithmic);
         let y = Axis::linear("excess of the sum", 0.0, 1.3 * profile.level);

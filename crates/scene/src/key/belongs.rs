@@ -55,8 +55,7 @@ impl Key {
         if follows_from_law(scene, self) {
             return Some(Misfit::Follows("law"));
         }
-        let has_layers = scene.model.strip().is_some_and(|strip| strip.layers.is_some());
-        if has_layers && self.table == STRIP.name && BY_LAYERS.contains(&self.name) {
+        if scene.model.has_layers() && self.table == STRIP.name && BY_LAYERS.contains(&self.name) {
             return Some(Misfit::Follows("layers"));
         }
         if self.table == SETA.name

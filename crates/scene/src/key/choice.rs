@@ -15,11 +15,7 @@ pub(crate) const STARTS: Named<Start> = &[("conformed", Start::Conformed), ("fla
 pub(crate) const TERMS: Named<Terms> = &[("all", Terms::All), ("auto", Terms::Auto)];
 pub(crate) const SECTIONS: Named<SectionShape> =
     &[("rectangle", SectionShape::Rectangle), ("ellipse", SectionShape::Ellipse)];
-pub(crate) const STRETCHES: Named<StretchLaw> = &[
-    ("linear", StretchLaw::Linear),
-    ("neo-hookean", StretchLaw::NeoHookean),
-    ("neo-hookean-wide", StretchLaw::NeoHookeanWide),
-];
+pub(crate) const STRETCHES: Named<StretchLaw> = &StretchLaw::NAMED;
 pub(crate) const HOLDS: Named<Hold> = &[("free", Hold::Free), ("fixed", Hold::Fixed)];
 pub(crate) const ENDS: Named<FollowedUntil> = &FollowedUntil::NAMED;
 

@@ -1,6 +1,7 @@
 //! What a scene asks of a fit: its parameters with the values at which the search begins.
 
 use crate::error::ValueError;
+use crate::key::kind::Key;
 use crate::keys::find_key;
 use crate::scene::Scene;
 use crate::scene::studies::{CurveOfFit, FitTable, FittedKey};
@@ -114,19 +115,19 @@ impl Scene {
     pub fn with_numbers<'k>(&self, numbers: impl IntoIterator<Item = (&'k str, f64)>) -> Self {
         let mut scene = self.clone();
         for (path, value) in numbers {
-            match (find_key(path), of_one_curve(path)) {
-                (Ok(key), _) => {
+            match find_key(path) {
+                Ok(key) => {
                     key.put_number(&mut scene, value);
                 }
-                (Err(_), Some((path, curve))) => scene.put_zero(path, curve, value),
-                _ => {}
+                Err(_) => scene.put_zero(path, value),
             }
         }
         scene
     }
 
     /// The zero of one curve of several.
-    fn put_zero(&mut self, path: &str, curve: usize, value: f64) {
+    fn put_zero(&mut self, path: &str, value: f64) {
+        let Some((path, curve)) = of_one_curve(path) else { return };
         if let Some(own) = self.fit_table().curves.get_mut(curve) {
             *(if path == FORCE_ZERO { &mut own.force_zero } else { &mut own.displacement_zero }) = Some(value);
         }
@@ -134,7 +135,12 @@ impl Scene {
 }
 
 /// The key and the place of the curve, of the zero of one of several: `fit.displacement_zero[2]`.
-pub fn of_one_curve(path: &str) -> Option<(&str, usize)> {
+fn of_one_curve(path: &str) -> Option<(&str, usize)> {
     let (path, number) = path.strip_suffix(']')?.split_once('[')?;
     Some((path, number.parse::<usize>().ok()?.checked_sub(1)?))
+}
+
+/// The key of a parameter of a fit, of the zero of one curve of several as well; none of another name.
+pub fn key_of_parameter(path: &str) -> Option<&'static Key> {
+    find_key(of_one_curve(path).map_or(path, |(path, _)| path)).ok()
 }

@@ -5,7 +5,7 @@ use crate::error::one_line;
 use crate::key::kind::Key;
 use crate::key::list::find;
 use crate::value::form::{Entry, Form};
-use crate::value::{Value, quoted};
+use crate::value::{Fault, Value, quoted};
 
 /// A key between two bounds.
 pub(super) const BETWEEN: &[Entry] = &[
@@ -35,6 +35,15 @@ pub(super) fn entry<'v>(
             None => Ok(None),
         },
     }
+}
+
+/// Each item of a list; what is wrong with one is said with its number.
+pub(super) fn each<T>(value: &Value, what: &str, one: impl Fn(&Value) -> Result<T, String>) -> Result<Vec<T>, Fault> {
+    let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
+    let numbered = |(item, value): (usize, &Value)| {
+        one(value).map_err(|found| Fault::at(item, format!("has in {what} {} {found}", item + 1)))
+    };
+    items.iter().enumerate().map(numbered).collect()
 }
 
 /// The key that a table names, with its bounds in the unit of the library.

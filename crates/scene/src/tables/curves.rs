@@ -1,6 +1,6 @@
 //! The curves of a fit of several.
 
-use super::bounded::{entry, named, number, written_number};
+use super::bounded::{each, entry, named, number, written_number};
 use crate::key::kind::{Key, Setting};
 use crate::scene::studies::CurveOfFit;
 use crate::value::form::{Entry, Form};
@@ -28,16 +28,11 @@ pub(crate) static CURVES: Setting = Setting {
     example: "[{ data = \"at-90.csv\" }, { data = \"at-60.csv\", set = { \"drive.angle\" = \"60 deg\" } }]",
     form: || Form::list(Form::Table(CURVE)),
     read: |scene, value, keys| {
-        let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
-        if items.is_empty() || items.len() > MOST {
-            return Err(Fault::whole(format!("has {} curves; it takes 1 to {MOST}", items.len())));
+        let curves = each(value, "curve", |value| curve(value, keys))?;
+        if curves.is_empty() || curves.len() > MOST {
+            return Err(Fault::whole(format!("has {} curves; it takes 1 to {MOST}", curves.len())));
         }
-        let one = |(item, value): (usize, &Value)| {
-            let read = curve(value, keys).map_err(|found| format!("has in curve {} {found}", item + 1));
-            read.map_err(|found| Fault::at(item, found))
-        };
-        let curves: Result<Vec<CurveOfFit>, Fault> = items.iter().enumerate().map(one).collect();
-        scene.fit_table().curves = curves?;
+        scene.fit_table().curves = curves;
         Ok(())
     },
     write: |scene, keys| {

@@ -1,6 +1,6 @@
 //! Layers of a strip.
 
-use super::bounded::entry;
+use super::bounded::{each, entry};
 use crate::body::strip;
 use crate::key::kind::Setting;
 use crate::value::form::{Entry, Form};
@@ -26,13 +26,7 @@ pub(crate) static LAYERS: Setting = Setting {
     example: "[{ height = \"30 um\", youngs_modulus = \"1 MPa\", poissons_ratio = 0.49 }, { height = \"50 um\", youngs_modulus = \"4 GPa\" }]",
     form: || Form::list(Form::Table(LAYER)),
     read: |scene, value, _| {
-        let Value::List(items) = value else { return Err(Fault::whole(format!("is {value}, no list"))) };
-        let one = |(item, value): (usize, &Value)| {
-            let read = layer(value).map_err(|found| format!("has in layer {} {found}", item + 1));
-            read.map_err(|found| Fault::at(item, found))
-        };
-        let layers: Result<Vec<Layer>, Fault> = items.iter().enumerate().map(one).collect();
-        let laminate = Laminate::new(&layers?).map_err(|error| Fault::whole(error.to_string()))?;
+        let laminate = Laminate::new(&each(value, "layer", layer)?).map_err(|error| Fault::whole(error.to_string()))?;
         let strip = strip(scene);
         *strip = strip.of_layers(laminate);
         Ok(())

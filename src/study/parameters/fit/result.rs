@@ -82,6 +82,13 @@ pub struct FittedPoint {
     pub place: PointPlace,
 }
 
+impl FittedPoint {
+    /// Modelled less measured force, over its standard error.
+    pub fn residual(&self) -> f64 {
+        (self.modelled - self.force) / self.error
+    }
+}
+
 /// The first jump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedJump {

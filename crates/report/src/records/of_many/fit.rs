@@ -9,7 +9,7 @@ use peelkit::study::{
     Combination, Fit, FitEnd, FitWarning, FittedCurve, FittedJump, FittedParameter, FittedPoint, MeasuredCurve,
     PairDetermined, PointPlace,
 };
-use peelkit_scene::{Key, Scene, find_key, of_one_curve};
+use peelkit_scene::{Key, Scene, key_of_parameter};
 use std::path::{Path, PathBuf};
 
 /// A point of a curve.
@@ -26,7 +26,7 @@ impl Record for PointRow<'_> {
         of.field("force_nN", "as measured", |row| row.point.force);
         of.field("modelled_nN", "force of the fitted model", |row| row.point.modelled);
         of.field("standard_error_nN", "of the measured force, with what that of its displacement adds", |row| row.point.error);
-        of.field("residual", "modelled less measured force, over that", |row| (row.point.modelled - row.point.force) / row.point.error);
+        of.field("residual", "modelled less measured force, over that", |row| row.point.residual());
         of.field("weight", "how much the point counts: 1 with `loss = \"squares\"`, less for one far from the curve with another", |row| row.point.weight);
         of.field("place", "`branch`; `before start`: before the path of the model begins; `behind jump`: behind its first jump", |row| place_word(row.point.place));
     }
@@ -46,7 +46,7 @@ impl Record for SteadyRow<'_> {
         of.field("force_nN", "as measured", |row| row.point.force);
         of.field("modelled_nN", "plateau of the fitted model", |row| row.point.modelled);
         of.field("standard_error_nN", "of the measured force", |row| row.point.error);
-        of.field("residual", "modelled less measured force, over that", |row| (row.point.modelled - row.point.force) / row.point.error);
+        of.field("residual", "modelled less measured force, over that", |row| row.point.residual());
         of.field("weight", "how much the force counts, as in fit.csv of a curve", |row| row.point.weight);
     }
 }
@@ -316,7 +316,6 @@ impl FitReport<'_> {
 
     /// The unit of a parameter; empty where it has none.
     pub fn unit(&self, index: usize) -> &'static str {
-        let path = &self.fit.parameters[index].key;
-        find_key(of_one_curve(path).map_or(path.as_str(), |(path, _)| path)).map_or("", Key::unit)
+        key_of_parameter(&self.fit.parameters[index].key).map_or("", Key::unit)
     }
 }
