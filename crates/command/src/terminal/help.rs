@@ -92,7 +92,7 @@ Files:
   animation.html     with --animate: the beam over the substrate beside the curve, one file that a browser plays
   events.csv, tips.csv, tip.csv, tips.svg, seta.svg   of a scene with a [seta]: its events, the state and load of each
                      tip, the law of a tip, a map of the loads, the seta at its peak
-  run.partial        checkpoint of a run of more than a second: the points of its path, written every second
+  run.partial        checkpoint of a run of more than 0.2 s: the points of its path, written every 0.2 s
 
 The folder is named after the scene, what is asked besides, and the keys that --set changes, those of [bounds] left
 out: commands that compute different things write to different folders. --out names another.

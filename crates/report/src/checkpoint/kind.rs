@@ -20,7 +20,7 @@ pub struct JournalKind {
     /// What is kept
     pub(super) entries: &'static str,
     /// Nothing is written before a command has lasted so long, and then no oftener. With zero the file is there at once.
-    pub(super) interval: Duration,
+    pub interval: Duration,
 }
 
 impl JournalKind {
@@ -36,7 +36,7 @@ impl JournalKind {
     pub const OPTIMISATION: Self = Self::at_once("optimise.partial", "optimisation", "designs");
 
     const fn seldom(name: &'static str, analysis: &'static str, entries: &'static str) -> Self {
-        Self { name, analysis, entries, interval: Duration::from_secs(1) }
+        Self { name, analysis, entries, interval: Duration::from_millis(200) }
     }
 
     const fn at_once(name: &'static str, analysis: &'static str, entries: &'static str) -> Self {

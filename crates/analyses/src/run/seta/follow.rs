@@ -12,10 +12,8 @@ use peelkit_scene::{BoundsTable, Scene};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-/// Nothing is written before a run has lasted so long, and then no oftener.
-const INTERVAL: Duration = Duration::from_secs(1);
 /// Points from one state that is seen to the next.
 const PIECE: usize = 2;
 
@@ -171,7 +169,7 @@ pub fn follow(
                 return Ok(followed);
             }
         };
-        if last.elapsed() >= INTERVAL {
+        if last.elapsed() >= JournalKind::SETA.interval {
             let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
             kept.keep(&progress, &seen);
             sampler = seen.sampler;
@@ -184,7 +182,7 @@ pub fn follow(
 /// These criteria, and besides: a run is left for a moment when it is time to keep what it has reached.
 fn keeping(stop: StopCriteria, last: Instant, due: Arc<AtomicBool>) -> StopCriteria {
     stop.or_when(move |stage| {
-        let is_due = stage == Stage::Path && last.elapsed() >= INTERVAL;
+        let is_due = stage == Stage::Path && last.elapsed() >= JournalKind::SETA.interval;
         is_due.then(|| due.store(true, Ordering::Relaxed)).map(|()| StopReason::Interrupted)
     })
 }
