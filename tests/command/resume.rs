@@ -70,7 +70,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a seta that is pressed on, with states",
         scene: include_str!("../../scenes/seta.toml"),
-        command: &["run", "--states", "4", "--set", "seta.forks=8", "--set", "seta.preload=0.1 uN"],
+        command: &["run", "--states", "4", "--set", "seta.forks=7", "--set", "seta.preload=0.1 uN"],
         partial: "run.partial",
         results: 1,
         counts: false,
@@ -79,7 +79,7 @@ pub const ROWS: [Row; 12] = [
     Row {
         name: "a seta by a table",
         scene: include_str!("../../scenes/seta.toml"),
-        command: &["run", "--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=3e-2", "--set", "seta.forks=8"],
+        command: &["run", "--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=3e-2", "--set", "seta.forks=6"],
         partial: "run.partial",
         results: 1,
         counts: false,

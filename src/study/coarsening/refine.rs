@@ -1,7 +1,9 @@
 //! A table of one branch that is refined until it is as accurate as was asked, by equilibria solved between its nodes.
 //!
 //! In each round the spatula is solved in the middle of every cell of each coordinate; a cell whose error there is above a share of what is
-//! wanted is halved. The last round solves it in the middles of the cells in all coordinates at once.
+//! wanted is halved. The moment is a derivative by θ, and has an error at the nodes as well: halved are then the cells of θ beside them, and those of s
+//! only where the error is larger between the nodes. So it is with the force along the substrate and v. The last round solves the spatula in the middles of the
+//! cells in all coordinates at once.
 //!
 //! An error is the distance of what was solved from the table: with ΔF of the forces and ΔU of the displacement at the same s, and the
 //! stiffness K of the table,
@@ -84,6 +86,11 @@ fn nodes([from, to]: [f64; 2], cells: usize) -> Vec<f64> {
 /// The middles of the cells of a coordinate.
 fn middles(nodes: &[f64]) -> Vec<f64> {
     nodes.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
+}
+
+/// The middles of the cells that have this node.
+fn beside(nodes: &[f64], node: f64) -> Vec<f64> {
+    nodes.windows(2).filter(|pair| pair.contains(&node)).map(|pair| 0.5 * (pair[0] + pair[1])).collect()
 }
 
 /// The middles of cells, or the one node of a coordinate that has no cells.
@@ -175,7 +182,7 @@ impl Grid {
         }
     }
 
-    /// The cells with an error above `share` in the middle of one coordinate.
+    /// The cells with an error above `share` in the middle of one coordinate, or at a node across the branch.
     fn marked(
         &self,
         sheet: &Sheet,
@@ -187,11 +194,26 @@ impl Grid {
         let own = pairs(&self.lateral, &self.rotation);
         let middle = middles(&self.path);
         columns.compute(&own, &middle)?;
-        let worst = |columns: &Columns, places: &[(f64, f64)], path: &[f64]| {
+        let each = |columns: &Columns, places: &[(f64, f64)], path: &[f64]| {
             let all = places.iter().flat_map(|&place| path.iter().map(move |&s| (place, s)));
-            all.map(|(place, s)| relative(sheet, columns, place, s, scales)).fold(0.0, f64::max)
+            all.map(|(place, s)| relative(sheet, columns, place, s, scales))
+                .fold([0.0; 3], |most: [f64; 3], one| std::array::from_fn(|i| most[i].max(one[i])))
         };
-        marked.path = middle.iter().copied().filter(|&s| worst(columns, &own, &[s]) > share).collect();
+        let worst = |columns: &Columns, places: &[(f64, f64)], path: &[f64]| {
+            each(columns, places, path).into_iter().fold(0.0, f64::max)
+        };
+        // at its nodes a table has the normal force that was solved, and the derivatives by v and θ of what lies beside them
+        let at_nodes: Vec<f64> = self.path.iter().map(|&s| worst(columns, &own, &[s])).collect();
+        let across = |cells: &[f64], at: f64, error: f64| -> Vec<f64> {
+            if error > share { beside(cells, at) } else { Vec::new() }
+        };
+        for &(v, t) in &own {
+            let [_, along, moment] = each(columns, &[(v, t)], &self.path);
+            marked.lateral.extend(across(&self.lateral, v, along));
+            marked.rotation.extend(across(&self.rotation, t, moment));
+        }
+        let of_path = |k: usize, s: f64| worst(columns, &own, &[s]) > share.max(at_nodes[k]).max(at_nodes[k + 1]);
+        marked.path = middle.iter().enumerate().filter(|&(k, &s)| of_path(k, s)).map(|(_, &s)| s).collect();
         for v in middles(&self.lateral) {
             let places = pairs(&[v], &self.rotation);
             columns.compute(&places, &self.path)?;
@@ -227,7 +249,7 @@ impl Grid {
                     errors.limit = errors.limit.max(BOUND * shift.abs());
                 }
                 errors.checked += 1;
-                let own = BOUND * over(off, scales);
+                let own = BOUND * over(off, scales).into_iter().fold(0.0, f64::max);
                 if own > errors.relative {
                     errors.relative = own;
                     let cells = |nodes: &[f64], middle: f64| if nodes.len() > 1 { vec![middle] } else { Vec::new() };
@@ -256,13 +278,13 @@ fn missed(sheet: &Sheet, node: &SheetNode, lateral: f64, rotation: f64, s: f64, 
     (off, shift)
 }
 
-/// The largest of the errors over what they are measured by.
-fn over(off: [f64; 3], scales: &TipScales) -> f64 {
-    (off[0] / scales.force).max(off[1] / scales.force).max(off[2] / scales.moment)
+/// The errors over what they are measured by.
+fn over([normal, along, moment]: [f64; 3], scales: &TipScales) -> [f64; 3] {
+    [normal / scales.force, along / scales.force, moment / scales.moment]
 }
 
-fn relative(sheet: &Sheet, columns: &Columns, (v, t): (f64, f64), s: f64, scales: &TipScales) -> f64 {
-    columns.node((v, t), s).map_or(0.0, |node| over(missed(sheet, node, v, t, s, scales).0, scales))
+fn relative(sheet: &Sheet, columns: &Columns, (v, t): (f64, f64), s: f64, scales: &TipScales) -> [f64; 3] {
+    columns.node((v, t), s).map_or([0.0; 3], |node| over(missed(sheet, node, v, t, s, scales).0, scales))
 }
 
 /// The scales of a branch.
