@@ -199,18 +199,17 @@ impl Grid {
             all.map(|(place, s)| relative(sheet, columns, place, s, scales))
                 .fold([0.0; 3], |most: [f64; 3], one| std::array::from_fn(|i| most[i].max(one[i])))
         };
-        let worst = |columns: &Columns, places: &[(f64, f64)], path: &[f64]| {
-            each(columns, places, path).into_iter().fold(0.0, f64::max)
-        };
+        let worst = |columns: &Columns, places: &[(f64, f64)], path: &[f64]| largest(each(columns, places, path));
         // at its nodes a table has the normal force that was solved, and the derivatives by v and θ of what lies beside them
         let at_nodes: Vec<f64> = self.path.iter().map(|&s| worst(columns, &own, &[s])).collect();
-        let across = |cells: &[f64], at: f64, error: f64| -> Vec<f64> {
-            if error > share { beside(cells, at) } else { Vec::new() }
-        };
         for &(v, t) in &own {
             let [_, along, moment] = each(columns, &[(v, t)], &self.path);
-            marked.lateral.extend(across(&self.lateral, v, along));
-            marked.rotation.extend(across(&self.rotation, t, moment));
+            if along > share {
+                marked.lateral.extend(beside(&self.lateral, v));
+            }
+            if moment > share {
+                marked.rotation.extend(beside(&self.rotation, t));
+            }
         }
         let of_path = |k: usize, s: f64| worst(columns, &own, &[s]) > share.max(at_nodes[k]).max(at_nodes[k + 1]);
         marked.path = middle.iter().enumerate().filter(|&(k, &s)| of_path(k, s)).map(|(_, &s)| s).collect();
@@ -249,7 +248,7 @@ impl Grid {
                     errors.limit = errors.limit.max(BOUND * shift.abs());
                 }
                 errors.checked += 1;
-                let own = BOUND * over(off, scales).into_iter().fold(0.0, f64::max);
+                let own = BOUND * largest(over(off, scales));
                 if own > errors.relative {
                     errors.relative = own;
                     let cells = |nodes: &[f64], middle: f64| if nodes.len() > 1 { vec![middle] } else { Vec::new() };
@@ -281,6 +280,10 @@ fn missed(sheet: &Sheet, node: &SheetNode, lateral: f64, rotation: f64, s: f64, 
 /// The errors over what they are measured by.
 fn over([normal, along, moment]: [f64; 3], scales: &TipScales) -> [f64; 3] {
     [normal / scales.force, along / scales.force, moment / scales.moment]
+}
+
+fn largest(errors: [f64; 3]) -> f64 {
+    errors.into_iter().fold(0.0, f64::max)
 }
 
 fn relative(sheet: &Sheet, columns: &Columns, (v, t): (f64, f64), s: f64, scales: &TipScales) -> [f64; 3] {
