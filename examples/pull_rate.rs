@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, viscosity, ink) in
         [("Kelvin-Voigt", kelvin, colour::BLUE), ("standard linear solid", solid, colour::VERMILLION)]
     {
-        let material = MovingMaterial { density: 1300.0, viscosity };
+        let material = MovingMaterial { density: 1300.0, viscosity, opening: None };
         let mut points = Vec::new();
         println!("{name}, {TIME} ns:  rate m/s   largest force nN   defect of the energy over the work");
         for k in 0..=10 {

@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             continue;
         }
         for length in LENGTHS.into_iter().filter(|length| number("only").is_none_or(|only| only == *length)) {
-            let material = MovingMaterial { density: 0.0, viscosity };
+            let material = MovingMaterial { density: 0.0, viscosity, opening: None };
             let pull = SetaPullRate::normal(MOST, 1e3 * length / TIME);
             let mut accuracy = SetaTimeAccuracy::default();
             accuracy.tolerance = number("tolerance").unwrap_or(accuracy.tolerance);

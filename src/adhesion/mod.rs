@@ -26,6 +26,7 @@ pub use section::cohesive::tabulated::{Measured, TractionTable, TractionTableErr
 pub use section::coverage::TiltCount;
 pub use section::law::{Attraction, Law};
 pub use section::line_load::{LineLaw, LineLoad};
+pub use section::opening_rate::{OpeningRate, RateLaw};
 pub use section::own::{OwnLaw, SectionLaw, TiltedSection};
 pub use section::response::LineResponse;
 pub use section::sheared::{ShearedLaw, ShearedResponse};

@@ -202,13 +202,13 @@ fn several_curves_are_fitted_together() {
     );
     let table = read("fit.csv");
     assert!(table.contains("\n1,") && table.contains("\n2,"), "{table}");
-    let (status, again, trouble) = run(dir.path(), &["fit", "fit/parameters.toml", "--json"]);
+    // a scene with what was found: the work is found again where all else is known
+    let alone = ["fit", "fit/parameters.toml", "--set", "fit.parameters=[\"adhesion.work\"]", "--json"];
+    let (status, again, trouble) = run(dir.path(), &alone);
     assert_eq!(status, Some(0), "{trouble}");
     let again: Value = serde_json::from_str(&again).unwrap();
-    for (row, other) in fitted.iter().zip(again["fitted"].as_array().unwrap()) {
-        let change = (number(&row["value"]) - number(&other["value"])).abs();
-        assert!(change < 0.1 * number(&row["standard_error"]), "{row} {other}");
-    }
+    let change = (number(&fitted[0]["value"]) - number(&again["fitted"][0]["value"])).abs();
+    assert!(change < 0.1 * number(&fitted[0]["standard_error"]), "{again}");
 }
 
 #[test]

@@ -179,7 +179,7 @@ fn test() -> Cost {
 }
 
 fn kelvin_voigt(density: f64, retardation_time: f64) -> MovingMaterial {
-    MovingMaterial { density, viscosity: Viscosity::KelvinVoigt { retardation_time } }
+    MovingMaterial { density, viscosity: Viscosity::KelvinVoigt { retardation_time }, opening: None }
 }
 
 fn strip_at_a_rate() -> Cost {

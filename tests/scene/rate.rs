@@ -76,6 +76,20 @@ fn a_rate_is_written_and_read_to_the_last_bit() {
     assert_eq!(scene.time.unwrap().rate, 3e-4);
 }
 
+/// An adhesive that resists its opening: 1 is the exponent where none is given. What is printed comes back.
+#[test]
+fn a_rate_of_opening_is_read() {
+    let tape = MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"exponential\"\n") + KELVIN_VOIGT;
+    for (exponent, expected) in [("", 1.0), ("rate_exponent = 0.4\n", 0.4)] {
+        let text = format!("{tape}opening_rate = \"10 um/s\"\n{exponent}");
+        let scene = Scene::parse_any("strip.toml", &text, &[]).unwrap();
+        let opening = scene.time.as_ref().unwrap().moving_material().opening.unwrap();
+        approx::assert_relative_eq!(opening.reference, 1e-5, max_relative = 1e-15);
+        assert_eq!(opening.exponent, expected);
+        assert_eq!(Scene::parse_any("strip.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    }
+}
+
 #[test]
 fn what_does_not_fit_is_refused_with_its_place() {
     let refused = |text: &str, overrides: &[(String, String)], words: &[&str]| {
@@ -97,6 +111,11 @@ fn what_does_not_fit_is_refused_with_its_place() {
     refused(&elastic, &set("friction.strength", "50 MPa"), &["has friction", "not followed in time"]);
     refused(&elastic, &set("drive.turn", "0.1 deg/nm"), &["drive.turn", "not followed in time"]);
     refused(&elastic, &set("grip.pretension", "1 nN"), &["grip.pretension", "not followed in time"]);
+    refused(&elastic, &set("time.opening_rate", "1 mm/s"), &["no beam under a cohesive law", "exponential"]);
+    refused(&elastic, &set("time.rate_exponent", "0.4"), &["the adhesive has no `opening_rate`"]);
+    let tape = elastic.replace("[adhesion]\n", "[adhesion]\nlaw = \"exponential\"\n");
+    refused(&tape, &set("time.opening_rate", "0 m/s"), &["out of range"]);
+    refused(&tape, &set("time.rate_exponent", "3"), &["out of range"]);
     refused(&elastic, &set("terms", "auto"), &["terms = \"auto\"", "not followed in time"]);
     refused(&elastic, &set("space", "true"), &["is in space", "not followed in time"]);
     let seta = format!("{SETA}{}", SOLID.replace("1300", "0"));

@@ -56,6 +56,10 @@ fn every_example_that_messages_give_is_right() {
             "patch" => "[setae]\n[patch]\npress = \"3 mm\"\n".to_owned(),
             "toe" => "[setae]\n[lamella]\n[toe]\n".to_owned(),
             "solid" => format!("{MINIMAL}[solid]\n"),
+            "time" if ["opening_rate", "rate_exponent"].contains(&key.name) => {
+                let law = MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n");
+                format!("{law}{}opening_rate = \"2 mm/s\"\n", timed("material"))
+            }
             "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             "adhesion" if key.name == "table" => MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"table\"\n"),

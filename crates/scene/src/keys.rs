@@ -20,6 +20,7 @@ use crate::value::quantity::{
     Dimension::Work,
 };
 use crate::value::{Value, show};
+use peelkit::adhesion::OpeningRate;
 use peelkit::model::{Discretisation, MODEL_NUMBERS, MOST_FORKS, Range, angle_text};
 use peelkit::study::ACCURACY_NUMBERS;
 use peelkit::study::coarsening::CoarseningOptions;
@@ -280,6 +281,8 @@ pub static KEYS: &[Key] = &[
     key(&TIME, "retardation_time", Optional, Kind::Bound(Time, |s| &mut s.time_table().retardation_time), "of a Kelvin-Voigt material: viscosity over modulus").titled("retardation time", "τ"),
     key(&TIME, "relaxation_time", Optional, Kind::Bound(Time, |s| &mut s.time_table().relaxation_time), "of a standard linear solid: at constant strain").titled("relaxation time", "τ"),
     key(&TIME, "stiffness_ratio", Optional, Kind::Share(Range::Between(1.0, 1e6), |s| &mut s.time_table().stiffness_ratio), "of a standard linear solid: instantaneous over relaxed modulus").titled("instantaneous over relaxed modulus", "E₀/E∞"),
+    key(&TIME, "opening_rate", Optional, Kind::Bound(Velocity, |s| &mut s.time_table().opening_rate), "rate of opening at which a cohesive traction rises; none: not").titled("rate of opening at which the traction rises", "v₀"),
+    key(&TIME, "rate_exponent", Optional, Kind::Share(Range::From(OpeningRate::EXPONENTS[0], OpeningRate::EXPONENTS[1]), |s| &mut s.time_table().rate_exponent), "power with which it rises; none: 1").titled("exponent of the rate of opening", "n"),
     key(&TIME, "displacement", Optional, Kind::Bound(Length, |s| &mut s.time_table().displacement), "where the grip comes to rest; none: length of body or seta").titled("where the grip comes to rest", ""),
     key(&TIME, "held", Optional, Kind::Bound(Time, |s| &mut s.time_table().held), "time at rest behind that; none: ends where nothing adheres").titled("time at rest", ""),
     key(&TIME, "acceleration", Optional, Kind::Bound(Length, |s| &mut s.time_table().acceleration), "way on which the grip accelerates; none: about 0.1 r0, seta 20 nm").titled("way on which the grip accelerates", ""),

@@ -24,6 +24,12 @@ pub struct LineResponse<T> {
 }
 
 impl<T: Real> LineResponse<T> {
+    /// Nothing.
+    #[inline(always)]
+    pub(super) fn zero() -> Self {
+        Self::blind([T::splat(0.0); 3], None)
+    }
+
     /// Of a nominal traction, per area of reference, on the face that looks down. `levels` gives W (nN/nm), the traction T = -W' (nN/nm²)
     /// and b = -T' (nN/nm³) at the distance r of a face, nm. At the `gap` of a section that is not tilted, nm,
     ///

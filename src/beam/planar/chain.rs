@@ -24,17 +24,19 @@ pub struct Configuration<'a> {
     pub axial_multiplier: f64,
     /// What its material points remember, where there is friction.
     pub history: Option<&'a History>,
-    /// What strains they had before a step in time, where the material is viscous.
+    /// What strains they had before a step in time, where the material is viscous or the adhesive resists its opening.
     pub strains: Option<KnownStrains<'a>>,
 }
 
-/// What a viscous material remembers before a step in time.
+/// What a viscous material and its adhesive remember before a step in time.
 #[derive(Clone, Copy, Debug)]
 pub struct KnownStrains<'a> {
     /// What its elastic stiffness is multiplied with, without a unit
     pub factor: f64,
-    /// Γ1, Γ2 and θ' (1/nm) from which the step strains, Gauss point by Gauss point and element by element.
-    pub strains: &'a [[f64; 3]],
+    /// c of the step, 1/time: the rate of what is remembered is c times its change
+    pub per_time: f64,
+    /// Γ1, Γ2, θ' (1/nm) and the distance of the bonded face (nm) from which the step counts, Gauss point by Gauss point and element by element.
+    pub strains: &'a [[f64; 4]],
 }
 
 /// What the path condition wants of the chain: a linear functional of the coverage and of the left end's fields.

@@ -307,12 +307,17 @@ pub struct BeamInertia {
     pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
     /// How its material flows; a chain of a viscous one has a density that is [`crate::beam::Viscous`]
     pub viscosity: Viscosity,
+    /// Of an adhesive that resists its opening, the distance (nm) of the bonded face at S, gap and rotation; such a chain has that density too
+    pub distance: Option<FaceDistance>,
 }
+
+/// Distance of a face from the substrate (nm) at S, the gap (nm) and the rotation.
+pub type FaceDistance = Box<dyn Fn(f64, [f64; 2]) -> f64 + Send + Sync>;
 
 impl BeamInertia {
     /// The same everywhere.
     pub fn uniform(per_length: f64, rotary: f64, viscosity: Viscosity) -> Self {
-        Self { section: Box::new(move |_| [per_length, rotary]), viscosity }
+        Self { section: Box::new(move |_| [per_length, rotary]), viscosity, distance: None }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The planar beam as a [`DynamicSystem`]: masses at its nodes, viscous strains at its Gauss points.
 
 use super::chain::{Configuration, KnownStrains};
-use super::planar_beam::PlanarBeam;
+use super::planar_beam::{FaceDistance, PlanarBeam};
 use crate::beam::viscosity::Viscosity;
 use crate::number::gauss::gauss_legendre;
 use crate::solve::error::SolveError;
@@ -11,9 +11,9 @@ use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms,
 use crate::solve::workspace::Workspace;
 use std::num::NonZeroUsize;
 
-/// Γ1, Γ2 and θ' at a point, and what is stored there.
+/// Γ1, Γ2, θ' and the distance of the face at a point, and what is stored there.
 struct StrainAt {
-    strains: [f64; 3],
+    strains: [f64; 4],
     stored: f64,
     /// Reference length that the point stands for, nm
     weight: f64,
@@ -24,10 +24,20 @@ impl PlanarBeam {
         self.inertia.as_ref().map_or(Viscosity::Elastic, |inertia| inertia.viscosity)
     }
 
+    /// As [`BeamInertia::distance`].
+    fn face_distance(&self) -> Option<&FaceDistance> {
+        self.inertia.as_ref()?.distance.as_ref()
+    }
+
     /// A state as its chain sees it in a step in time.
     fn in_step<'a>(&self, at: &'a State, rate: &'a MaterialRate) -> Configuration<'a> {
-        let factor = self.viscosity().factor(rate.per_time);
-        let known = KnownStrains { factor, strains: rate.known.as_chunks::<3>().0 };
+        self.in_step_with(self.viscosity().factor(rate.per_time), at, rate)
+    }
+
+    /// The same with another factor of its stiffness.
+    fn in_step_with<'a>(&self, factor: f64, at: &'a State, rate: &'a MaterialRate) -> Configuration<'a> {
+        let per_time = rate.per_time;
+        let known = KnownStrains { factor, per_time, strains: rate.known.as_chunks::<4>().0 };
         let strains = (!rate.known.is_empty()).then_some(known);
         Configuration { strains, ..self.configuration(at) }
     }
@@ -35,6 +45,7 @@ impl PlanarBeam {
     /// Strains at all Gauss points, element by element.
     fn strains(&self, at: &State) -> Vec<StrainAt> {
         let (configuration, ends) = (self.configuration(at), &at.mesh.boundaries);
+        let distance = self.face_distance();
         let points = NonZeroUsize::new(self.chain.order()).map_or_else(Vec::new, gauss_legendre);
         let mut all = Vec::with_capacity(points.len() * at.mesh.elements());
         for element in 0..at.mesh.elements() {
@@ -42,8 +53,10 @@ impl PlanarBeam {
                 let (fields, section) = self.chain.sample(configuration, element, local);
                 let (sin, cos) = fields[self.rotation].sin_cos();
                 let (dx, dy) = (section.horizontal_slope, section.vertical_slope);
+                let place = ends[element] + 0.5 * (1.0 + local) * (ends[element + 1] - ends[element]);
+                let face = distance.map_or(0.0, |of| of(place, [fields[self.rotation - 1], fields[self.rotation]]));
                 all.push(StrainAt {
-                    strains: [dx * cos + dy * sin - 1.0, dy * cos - dx * sin, section.curvature],
+                    strains: [dx * cos + dy * sin - 1.0, dy * cos - dx * sin, section.curvature, face],
                     stored: section.stored,
                     weight: 0.5 * weight * (ends[element + 1] - ends[element]),
                 });
@@ -81,20 +94,26 @@ impl DynamicSystem for PlanarBeam {
     }
 
     fn relaxed_memory(&self, at: &State) -> Vec<f64> {
-        if !self.viscosity().is_viscous() {
+        if !self.viscosity().is_viscous() && self.face_distance().is_none() {
             return Vec::new();
         }
         self.strains(at).into_iter().flat_map(|point| point.strains).collect()
     }
 
     fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
-        self.viscosity().remembered_by(&self.relaxed_memory(at), rate)
+        let now = self.relaxed_memory(at);
+        let mut memory = self.viscosity().remembered_by(&now, rate);
+        // whatever the material, the face is remembered where it is
+        memory.chunks_exact_mut(4).zip(now.chunks_exact(4)).for_each(|(memory, now)| memory[3] = now[3]);
+        memory
     }
 
     fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
-        self.viscosity().power_in(rate, || {
-            let configurations = [self.in_step(at, rate), self.configuration(at)];
-            configurations.map(|configuration| self.chain.energy(configuration, self.nodes(&at.values)).0.total)
-        })
+        let energy = |configuration| self.chain.energy(configuration, self.nodes(&at.values)).0.total;
+        let without_material = || energy(self.in_step_with(0.0, at, rate));
+        let material = self.viscosity().power_in(rate, || [energy(self.in_step(at, rate)), without_material()]);
+        // what the adhesive adds to the energy of a step is its power over c
+        let adhesive = self.face_distance().map_or(0.0, |_| without_material() - energy(self.configuration(at)));
+        ViscousPower { dissipated: material.dissipated + rate.per_time * adhesive, ..material }
     }
 }

@@ -4,11 +4,12 @@ use super::beam_problem::BeamProblem;
 use super::build::{Discretisation, NoSuchOrder, three_field};
 use super::rod::{RodError, RodModel};
 use crate::adhesion::section::coverage::TiltCount;
+use crate::adhesion::section::opening_rate::{OpeningRate, RateLaw};
 use crate::beam::mesh::{Focus, MeshKind, Reach};
 use crate::beam::planar::chain::Chain;
 use crate::beam::planar::density::reissner::{ReissnerBeam, ReissnerRod};
 use crate::beam::planar::density::viscous::Viscous;
-use crate::beam::planar::planar_beam::{BeamInertia, PlanarBeam};
+use crate::beam::planar::planar_beam::{BeamInertia, FaceDistance, PlanarBeam};
 use crate::beam::viscosity::Viscosity;
 use crate::model::peel::{Form, PeelModel};
 use crate::solve::problem::Problem;
@@ -24,6 +25,8 @@ pub struct MovingMaterial {
     pub density: f64,
     /// How it flows
     pub viscosity: Viscosity,
+    /// How the traction of a cohesive law grows with the rate at which the face opens; none: it does not
+    pub opening: Option<OpeningRate>,
 }
 
 /// 1 kg/m³ in 1e-18 kg/nm³.
@@ -49,6 +52,16 @@ impl MovingMaterial {
             if good && value.is_finite() { Ok(()) } else { Err(NotInTime::OutOfRange { what, value, wanted }) }
         };
         require("the density in kg/m³", self.density, self.density >= 0.0, "zero or positive")?;
+        if let Some(OpeningRate { reference, exponent }) = self.opening {
+            require("the rate of opening in nm/ns", reference, reference > 0.0, "positive")?;
+            let [least, most] = OpeningRate::EXPONENTS;
+            require(
+                "the exponent of the rate of opening",
+                exponent,
+                (least..=most).contains(&exponent),
+                "from 0.01 to 2",
+            )?;
+        }
         match self.viscosity {
             Viscosity::Elastic => Ok(()),
             Viscosity::KelvinVoigt { retardation_time: time } => {
@@ -103,6 +116,10 @@ impl PeelModel {
             (self.grip.pretension.is_some(), "a pretension"),
             (!self.material().stretch.is_linear(), "a stretch that is not linear"),
             (self.has_layers(), "layers"),
+            (
+                material.opening.is_some() && !self.adhesion.attraction.is_cohesive(),
+                "a rate of opening of a law that is not cohesive",
+            ),
         ];
         if let Some((_, what)) = not_covered.into_iter().find(|(is_there, _)| *is_there) {
             return Err(NotInTime::NotCovered { what });
@@ -115,14 +132,19 @@ impl PeelModel {
             let per_stiffness = density / own.youngs_modulus;
             [per_stiffness * section.axial, per_stiffness * section.bending / own.bending_stiffness_factor]
         };
-        let inertia = BeamInertia { section: Box::new(section), viscosity: material.viscosity };
+        let adhesive = material.opening.map(|rate| RateLaw { law: self.line_law(), rate });
+        let profile = self.profile();
+        let distance = adhesive.map(|adhesive| -> FaceDistance {
+            let profile = profile.clone();
+            Box::new(move |place, [gap, rotation]| adhesive.distance(profile.at(place).height, gap, rotation))
+        });
+        let inertia = BeamInertia { section: Box::new(section), viscosity: material.viscosity, distance };
         let statics = self.discretised(how, |beam| {
             beam.mesh.fixed_foci.push(self.touching(beam));
             beam.inertia = Some(Arc::new(inertia));
-            if material.viscosity.is_viscous() {
-                let density =
-                    Viscous(ReissnerBeam { profile: self.profile(), law: self.line_law(), count: TiltCount::Coarse });
-                beam.chain = three_field(density, order, [Some(0.0), None, None]);
+            if material.viscosity.is_viscous() || adhesive.is_some() {
+                let density = ReissnerBeam { profile, law: self.line_law(), count: TiltCount::Coarse };
+                beam.chain = three_field(Viscous { density, adhesive }, order, [Some(0.0), None, None]);
             }
         })?;
         Ok(planar(statics))
@@ -149,7 +171,7 @@ impl RodModel {
     pub fn in_time(&self, order: usize, inertia: BeamInertia) -> Result<MovingBeam, RodError> {
         let viscous: Option<Box<dyn Chain>> = inertia.viscosity.is_viscous().then(|| {
             let rod = ReissnerRod { section: self.section, rest: self.rest };
-            three_field(Viscous(rod), order, self.pinned_left())
+            three_field(Viscous::material(rod), order, self.pinned_left())
         });
         let statics = self.discretised(order, |beam| {
             beam.inertia = Some(Arc::new(inertia));

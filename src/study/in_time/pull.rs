@@ -22,6 +22,8 @@ const LOOSE: f64 = 1.0;
 const WITHIN: f64 = 1e-3;
 /// Length of the elements over that of the process zone, and how many there are besides.
 const ELEMENT: f64 = 2.0;
+/// The same where the traction grows with the rate of opening: it bends where the face begins to be pulled.
+const WITH_OPENING: f64 = 1.0;
 const BESIDES: usize = 12;
 /// Accuracy of the equilibrium at the start.
 const AT_START: f64 = 1e-12;
@@ -93,7 +95,8 @@ pub fn pull_start(
     let mut beam = model.in_time(material, accuracy.order)?;
     let elements = accuracy.elements.unwrap_or_else(|| {
         let process = beam.statics.beam.process_length();
-        (model.contact_extent() / (ELEMENT * process)).ceil() as usize + BESIDES
+        let element = if material.opening.is_some() { WITH_OPENING } else { ELEMENT };
+        (model.contact_extent() / (element * process)).ceil() as usize + BESIDES
     });
     let no_start = |cause| InTimeFailureKind::NoStart { displacement, cause };
     let newton = NewtonOptions { tolerance: AT_START, largest_update: 0.5, most_iterations: 30, exact_slope: false };

@@ -102,6 +102,9 @@ impl<'a> Run<'a> {
         should_stop: Option<ShouldStop>,
     ) -> Result<Self, SetaInTimeFailureKind> {
         material.check()?;
+        if material.opening.is_some() {
+            return Err(NotInTime::NotCovered { what: "a rate of opening of the tips of a seta" }.into());
+        }
         check(pull, accuracy)?;
         let mut standing = Standing::new(model, TipBranch::Attached)?;
         let drive = RootDrive::new(pull.direction, model.seta.joint_place(0));

@@ -132,7 +132,7 @@ fn what_is_not_computed_with_them_is_refused() {
         assert_eq!(NotOutOfPlane::of(model), Some(reason));
         let spatial = PeelModel { space: Some(Space::default()), ..model.clone() };
         assert_eq!(spatial.check().unwrap_err().key(), key);
-        let material = MovingMaterial { density: 1300.0, viscosity: Default::default() };
+        let material = MovingMaterial { density: 1300.0, ..MovingMaterial::default() };
         assert!(model.in_time(&material, 7).is_err());
         let settings = SolidSettings { along: 1e5, ..SolidSettings::default() };
         let solid = PeelModel { adhesion: Adhesion::default(), ..model.clone() };

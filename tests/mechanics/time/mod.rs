@@ -1,6 +1,7 @@
 //! Motion in time: rods that spin, vibrate and fly, strips that are pulled at a rate.
 mod flight;
 mod in_space;
+mod opening_rate;
 mod pull;
 mod rods;
 mod seta;

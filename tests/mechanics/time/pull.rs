@@ -17,14 +17,14 @@ use peelkit::study::{
     Accuracy, InTimeFailureKind, PullInTime, PullRate, StopCriteria, TimeAccuracy, Until, observed, peel, pull_in_time,
 };
 
-const ELASTIC: MovingMaterial = MovingMaterial { density: 1300.0, viscosity: Viscosity::Elastic };
+const ELASTIC: MovingMaterial = MovingMaterial { density: 1300.0, viscosity: Viscosity::Elastic, opening: None };
 
 fn strip() -> PeelModel {
     paper_strip(100.0, 1.0).into()
 }
 
 fn viscous(retardation_time: f64) -> MovingMaterial {
-    MovingMaterial { density: 1300.0, viscosity: Viscosity::KelvinVoigt { retardation_time } }
+    MovingMaterial { density: 1300.0, viscosity: Viscosity::KelvinVoigt { retardation_time }, opening: None }
 }
 
 fn pulled(material: &MovingMaterial, pull: &PullRate) -> PullInTime {

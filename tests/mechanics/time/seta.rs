@@ -28,7 +28,7 @@ fn in_time(viscosity: Viscosity, rate: f64, accuracy: &SetaTimeAccuracy) -> Seta
 
 /// Of a density in kg/m³.
 fn with_mass(density: f64, viscosity: Viscosity, rate: f64, accuracy: &SetaTimeAccuracy) -> SetaInTime {
-    let material = MovingMaterial { density, viscosity };
+    let material = MovingMaterial { density, viscosity, opening: None };
     let model = seta_of(small());
     let found = pull_seta_in_time(&model, &material, &SetaPullRate::normal(MOST, rate), accuracy, None);
     let found = found.unwrap_or_else(|failed| panic!("{}", failed.why));
@@ -131,7 +131,7 @@ fn the_force_does_not_depend_on_the_steps() {
 fn what_is_not_followed_is_refused_by_name() {
     let model = seta_of(small());
     let refused = |density: f64, pull: SetaPullRate| {
-        let material = MovingMaterial { density, viscosity: kelvin_voigt(1e3) };
+        let material = MovingMaterial { density, viscosity: kelvin_voigt(1e3), opening: None };
         pull_seta_in_time(&model, &material, &pull, &SetaTimeAccuracy::default(), None).unwrap_err().why.to_string()
     };
     let pull = SetaPullRate::normal(MOST, 1.0);

@@ -18,7 +18,7 @@ const ACCELERATES: f64 = 0.02;
 
 fn pulled(events: &[EventAt]) -> PullInTime {
     let model = PeelModel::from(paper_strip(100.0, 1.0));
-    let material = MovingMaterial { density: 1300.0, viscosity: Viscosity::Elastic };
+    let material = MovingMaterial { density: 1300.0, viscosity: Viscosity::Elastic, opening: None };
     let pull = PullRate { accelerates: Some(ACCELERATES), until: Until::Held(0.0), ..PullRate::new(0.5, RATE) };
     let stop = StopCriteria { events: events.to_vec(), ..StopCriteria::default() };
     pull_in_time_with(&model, &material, &pull, &TimeAccuracy::default(), &stop).unwrap()

@@ -3,7 +3,8 @@
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
 use super::peeling::{
-    directions, friction, laws, out_of_plane, points, pull, rough, spatula, spatula_directions, stiffness, strip, work,
+    directions, friction, laws, opening_rate, out_of_plane, points, pull, rough, spatula, spatula_directions,
+    stiffness, strip, work,
 };
 use super::runner::Runner;
 use super::solid;
@@ -28,7 +29,7 @@ struct Group {
 }
 
 /// All of them, as they follow one another in the captions.
-const GROUPS: [Group; 16] = [
+const GROUPS: [Group; 17] = [
     Group { peels: strip::PEELS, draw: strip::figures },
     Group { peels: spatula::PEELS, draw: spatula::figures },
     Group { peels: solid::PEELS, draw: |runner, dir| one(solid::figure(runner, dir)) },
@@ -37,6 +38,7 @@ const GROUPS: [Group; 16] = [
     Group { peels: pull::PEELS, draw: |runner, dir| one(pull::figure(runner, dir)) },
     Group { peels: friction::PEELS, draw: |runner, dir| one(friction::figure(runner, dir)) },
     Group { peels: laws::PEELS, draw: laws::figures },
+    Group { peels: 0, draw: |_, dir| one(opening_rate::figure(dir)) },
     Group { peels: out_of_plane::PEELS, draw: |runner, dir| one(out_of_plane::figure(runner, dir)) },
     Group { peels: directions::PEELS, draw: |runner, dir| one(directions::figure(runner, dir)) },
     Group { peels: spatula_directions::PEELS, draw: |runner, dir| one(spatula_directions::figure(runner, dir)) },

@@ -64,6 +64,7 @@ const TEMPLATES: &[Template] = templates![
     "t-peel" "an arm of a T-peel of two films",
     "lap" "a lap joint, held along the substrate as well",
     "loop" "half of a loop tack test: bent, brought down and pulled up",
+    "tape-at-a-rate" "a tape whose adhesive resists its opening, pulled at a rate",
     "strip-at-a-rate" "a viscous strip pulled at a rate, with inertia",
     "seta-at-a-rate" "a seta of viscous branches, 16 tips, pulled at a rate",
     "strip-auto" "a strip whose model is reduced to the terms that matter",

@@ -179,6 +179,15 @@ impl PulledAtRate {
         }
     }
 
+    /// Mean force over the second half of the way, by the work there, nN: the steady force of a body that is long enough.
+    pub fn mean_force(&self) -> Option<f64> {
+        let (first, last) = (self.points.first()?, self.points.last()?);
+        let half = 0.5 * (first.displacement + last.displacement);
+        let from = self.points.iter().find(|point| point.displacement >= half)?;
+        let way = last.displacement - from.displacement;
+        (way > 0.0).then(|| (last.balance.work - from.balance.work) / way)
+    }
+
     /// How far the pull went, nm.
     pub fn way(&self) -> f64 {
         self.points.iter().map(|point| point.displacement).fold(0.0, f64::max)

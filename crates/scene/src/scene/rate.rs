@@ -1,5 +1,6 @@
 //! A pull at a rate as data: the table `time`.
 
+use peelkit::adhesion::OpeningRate;
 use peelkit::beam::Viscosity;
 use peelkit::model::MovingMaterial;
 use peelkit::study::TimeAccuracy;
@@ -48,6 +49,10 @@ pub struct TimeTable {
     pub relaxation_time: Option<f64>,
     /// E₀/E∞ of a standard linear solid
     pub stiffness_ratio: Option<f64>,
+    /// Rate of opening at which the traction of a cohesive law rises, m/s
+    pub opening_rate: Option<f64>,
+    /// With which power it rises; none: 1
+    pub rate_exponent: Option<f64>,
     /// Where the grip comes to rest, nm; none: as far away as the body is long, or the seta
     pub displacement: Option<f64>,
     /// How long it is followed at rest, s; none: it ends where nothing adheres, or where the grip comes to rest
@@ -68,6 +73,8 @@ impl Default for TimeTable {
             retardation_time: None,
             relaxation_time: None,
             stiffness_ratio: None,
+            opening_rate: None,
+            rate_exponent: None,
             displacement: None,
             held: None,
             acceleration: None,
@@ -97,6 +104,8 @@ impl TimeTable {
                 stiffness_ratio: self.stiffness_ratio.unwrap_or(f64::NAN),
             },
         };
-        MovingMaterial { density: self.density, viscosity }
+        let exponent = self.rate_exponent.unwrap_or(1.0);
+        let opening = self.opening_rate.map(|reference| OpeningRate { reference, exponent });
+        MovingMaterial { density: self.density, viscosity, opening }
     }
 }

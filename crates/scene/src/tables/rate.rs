@@ -99,10 +99,31 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
             _ => {}
         }
     }
+    if let Some(problem) = not_of_adhesive(scene, table) {
+        return Some(problem);
+    }
     match &scene.seta {
         None => not_covered(scene),
         Some(seta) => not_covered_of_seta(scene, table, seta),
     }
+}
+
+/// What of an adhesive that resists its opening does not fit.
+fn not_of_adhesive(scene: &Scene, table: &TimeTable) -> Option<(String, ValueError)> {
+    let (key, problem) = match (table.opening_rate, table.rate_exponent) {
+        (None, None) => return None,
+        (None, Some(_)) => {
+            let found = "is given, and the adhesive has no `opening_rate`";
+            ("rate_exponent", ValueError::new(found, "Give opening_rate = \"1 mm/s\" beside it, or remove it."))
+        }
+        (Some(_), _) if scene.seta.is_some() || !scene.model.adhesion.attraction.is_cohesive() => {
+            let found = "is given, and what adheres is no beam under a cohesive law";
+            let remedy = "Give law = \"exponential\", work and strength in [adhesion], or remove it.";
+            ("opening_rate", ValueError::new(found, remedy))
+        }
+        (Some(_), _) => return None,
+    };
+    Some((format!("{TABLE}.{key}"), problem))
 }
 
 /// What of the pull of a beam is not followed in time.

@@ -9,6 +9,7 @@
 //! Source: M. Ortiz, L. Stainier, The variational formulation of viscoplastic constitutive updates, Comput. Methods Appl. Mech. Eng. 171 (1999).
 
 use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
+use crate::adhesion::section::opening_rate::RateLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::section::Section;
 use crate::beam::stretch_law::StretchLaw;
@@ -18,6 +19,9 @@ use crate::number::Real;
 pub trait ElasticSections: EnergyDensity<3> {
     /// EA, GA_s and EI at S, nm, and h'/2, by how much the axis rises faster than the height field.
     fn stiffness_at<T: Real>(&self, place: T) -> (Section<T>, T);
+
+    /// h and b at S, nm.
+    fn outline_at<T: Real>(&self, place: T) -> [T; 2];
 }
 
 impl ElasticSections for ReissnerBeam {
@@ -26,6 +30,12 @@ impl ElasticSections for ReissnerBeam {
         let station = self.profile.at(place);
         (station.section, station.rise)
     }
+
+    #[inline(always)]
+    fn outline_at<T: Real>(&self, place: T) -> [T; 2] {
+        let station = self.profile.at(place);
+        [station.height, station.width]
+    }
 }
 
 impl ElasticSections for ReissnerRod {
@@ -33,37 +43,56 @@ impl ElasticSections for ReissnerRod {
     fn stiffness_at<T: Real>(&self, _: T) -> (Section<T>, T) {
         (self.section.splat(), T::splat(0.0))
     }
+
+    #[inline(always)]
+    fn outline_at<T: Real>(&self, _: T) -> [T; 2] {
+        [T::splat(0.0); 2]
+    }
 }
 
-/// A density whose material is viscous besides; [`Point::memory`] has the known strains and the factor f.
+/// A density whose material is viscous besides, and whose adhesive may resist its opening. [`Point::memory`] has the known strains and the factor f,
+/// the known distance of the face, and c.
 #[derive(Clone, Debug)]
-pub struct Viscous<D>(pub D);
+pub struct Viscous<D> {
+    /// Without either
+    pub density: D,
+    /// An adhesive that resists its opening
+    pub adhesive: Option<RateLaw>,
+}
+
+impl<D> Viscous<D> {
+    /// Of a viscous material alone.
+    pub const fn material(density: D) -> Self {
+        Self { density, adhesive: None }
+    }
+}
 
 impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
     const COUPLING: Coupling<3> = D::COUPLING;
     const HAS_HISTORY: bool = true;
 
     fn knots(&self) -> &'static [f64] {
-        self.0.knots()
+        self.density.knots()
     }
 
     fn opening(&self, place: f64, value: [f64; 3]) -> f64 {
-        self.0.opening(place, value)
+        self.density.opening(place, value)
     }
 
     fn adhesion_response(&self, place: f64, value: [f64; 3]) -> PointResponse<f64, 3> {
-        self.0.adhesion_response(place, value)
+        self.density.adhesion_response(place, value)
     }
 
     #[inline(always)]
     fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], border: f64) -> PointResponse<T, 3> {
-        self.0.response(place, value, slope, border)
+        self.density.response(place, value, slope, border)
     }
 
     #[inline(always)]
     fn add_remembered<T: Real>(&self, point: &Point<T, 3>, response: &mut PointResponse<T, 3>) {
-        let &Point { place, value, slope: [dx, dy, turn], memory: [stretch, slide, bend, factor, ..] } = point;
-        let (Section { axial, shear, bending }, rise) = self.0.stiffness_at(place);
+        let &Point { place, value, slope: [dx, dy, turn], memory } = point;
+        let [stretch, slide, bend, factor, distance, per_time, _] = memory;
+        let (Section { axial, shear, bending }, rise) = self.density.stiffness_at(place);
         let section = Section { axial: axial * factor, shear: shear * factor, bending: bending * factor };
         let viscous =
             stored_from(&section, StretchLaw::Linear, value[2], [dx, dy + rise, turn], [stretch, slide, bend]);
@@ -78,17 +107,29 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
                 response.slope_slope[f][g] = response.slope_slope[f][g] + viscous.slope_slope[f][g];
             }
         }
+        if let Some(adhesive) = &self.adhesive {
+            let ([height, width], (sin, cos)) = (self.density.outline_at(place), value[2].sin_cos());
+            let opening = adhesive.response(height, value[1], sin, cos, [distance, per_time]);
+            response.energy = response.energy + opening.energy * width;
+            response.by_value[1] = response.by_value[1] + opening.by_gap * width;
+            response.by_value[2] = response.by_value[2] + opening.by_rotation * width;
+            let second = &mut response.value_value;
+            second[1][1] = second[1][1] + opening.gap_gap * width;
+            second[1][2] = second[1][2] + opening.gap_rotation * width;
+            second[2][1] = second[2][1] + opening.rotation_gap * width;
+            second[2][2] = second[2][2] + opening.rotation_rotation * width;
+        }
     }
 
     fn is_symmetric(&self) -> bool {
-        self.0.is_symmetric()
+        self.density.is_symmetric()
     }
 
     fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], border: f64) -> SectionState {
-        self.0.section_state(place, value, slopes, border)
+        self.density.section_state(place, value, slopes, border)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], border: f64) -> SectionState {
-        self.0.section_state_from_forces(place, value, forces, border)
+        self.density.section_state_from_forces(place, value, forces, border)
     }
 }

@@ -133,19 +133,19 @@ impl<const F: usize> UniformChain<F> {
 
     /// What the material remembers at Gauss point `q` of element `e`.
     fn memory(&self, at: Configuration, e: usize, q: usize) -> [f64; MEMORY] {
-        let [a, b, c, d] = match (at.history, at.strains) {
+        let [a, b, c, d, e, f] = match (at.history, at.strains) {
             (Some(known), _) => {
                 let [place, carried] =
                     known.at(at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]));
-                [place, carried, 0.0, 0.0]
+                [place, carried, 0.0, 0.0, 0.0, 0.0]
             }
             (None, Some(known)) => {
-                let [stretch, slide, turn] = known.strains[e * self.basis.order + q];
-                [stretch, slide, turn, known.factor]
+                let [stretch, slide, turn, distance] = known.strains[e * self.basis.order + q];
+                [stretch, slide, turn, known.factor, distance, known.per_time]
             }
-            (None, None) => [0.0; 4],
+            (None, None) => [0.0; 6],
         };
-        [a, b, c, d, 0.0, 0.0, 0.0]
+        [a, b, c, d, e, f, 0.0]
     }
 
     /// The same of one number a node and field.

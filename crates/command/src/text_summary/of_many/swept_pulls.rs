@@ -74,11 +74,12 @@ pub fn swept_rates(
     let mut text = title(scene, keys);
     let _ = writeln!(
         text,
-        "{} {:>18} {:>12} {:>16} {:>12} {:>7} {:>9} {:>9}  end",
+        "{} {:>18} {:>12} {:>16} {:>16} {:>12} {:>7} {:>9} {:>9}  end",
         pair("value", keys.second.map(|_| "value 2")),
         headed("largest force", force),
         headed("at U", length),
         headed("dissipated", work),
+        headed("mean force", force),
         headed("work", work),
         "steps",
         "imbalance",
@@ -89,11 +90,12 @@ pub fn swept_rates(
         let cell = |number: Option<f64>, unit: Unit| number.map_or_else(none, |it| format!("{:.6}", unit.of(it)));
         let _ = writeln!(
             text,
-            "{} {:>18} {:>12} {:>16} {:>12} {:>7} {:>9} {:>9.0}  {}",
+            "{} {:>18} {:>12} {:>16} {:>16} {:>12} {:>7} {:>9} {:>9.0}  {}",
             values(keys, row.value, row.second),
             cell(found.map(|found| found.largest_force), force),
             cell(found.map(|found| found.displacement), length),
             cell(found.map(|found| found.dissipated), work),
+            cell(found.and_then(|found| found.mean_force), force),
             cell(found.map(|found| found.work), work),
             found.map_or_else(none, |found| found.steps.to_string()),
             found.map_or_else(none, |found| format!("{:.0e}", found.imbalance)),
