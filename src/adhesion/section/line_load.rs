@@ -4,6 +4,7 @@
 //! difference.
 
 use super::barrier::Barrier;
+use super::cohesive::opening_rate::OpeningRate;
 use super::law::Law;
 use super::response::LineResponse;
 use super::{body_force, surface_traction};
@@ -170,5 +171,39 @@ impl LineLaw {
     #[inline(always)]
     fn axis_gap<T: Real>(&self, height: T, gap: T, far_face: bool) -> LineResponse<T> {
         LineResponse::blind(self.half_space.levels(gap), far_face.then(|| self.half_space.levels(gap + height)))
+    }
+}
+
+/// A cohesive law with an adhesive whose traction grows with the rate of opening.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateLaw {
+    /// At rest
+    pub law: LineLaw,
+    /// What the rate makes of it
+    pub rate: OpeningRate,
+}
+
+impl RateLaw {
+    /// Distance of the bonded face of a section of this height (nm) at the gap (nm) and the rotation, nm.
+    pub fn distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
+        let half = if self.law.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height };
+        gap + half * (1.0 - rotation.cos())
+    }
+
+    /// What a section carries besides the load at rest, in a step whose known distance is this one (nm) and whose rate is c (1/ns).
+    #[inline(always)]
+    pub fn response<T: Real>(&self, height: T, gap: T, sin: T, cos: T, [known, per_time]: [T; 2]) -> LineResponse<T> {
+        let Law::Cohesive(cohesive) = &self.law.law else { return LineResponse::zero() };
+        let levels = |r: T| {
+            let [w, t, b] = cohesive.levels(r);
+            T::each_of([w, t, b, r - known, per_time], |[w, t, b, opened, per_time]| {
+                self.rate.levels([w, t, b], opened, per_time)
+            })
+        };
+        match self.law.line_load {
+            LineLoad::AxisGap => LineResponse::blind(levels(gap), None),
+            LineLoad::Full => LineResponse::of_bonded_face(levels, height, gap, sin, cos),
+            LineLoad::ForceOnly => LineResponse::of_bonded_face(levels, height, gap, sin, cos).without_moment(),
+        }
     }
 }

@@ -10,7 +10,6 @@ pub(crate) mod cohesive;
 pub(crate) mod coverage;
 pub(crate) mod law;
 pub(crate) mod line_load;
-pub(crate) mod opening_rate;
 pub(super) mod own;
 pub(crate) mod response;
 pub(crate) mod sheared;

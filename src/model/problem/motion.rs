@@ -3,8 +3,9 @@
 use super::beam_problem::BeamProblem;
 use super::build::{Discretisation, NoSuchOrder, three_field};
 use super::rod::{RodError, RodModel};
+use crate::adhesion::section::cohesive::opening_rate::OpeningRate;
 use crate::adhesion::section::coverage::TiltCount;
-use crate::adhesion::section::opening_rate::{OpeningRate, RateLaw};
+use crate::adhesion::section::line_load::RateLaw;
 use crate::beam::mesh::{Focus, MeshKind, Reach};
 use crate::beam::planar::chain::Chain;
 use crate::beam::planar::density::reissner::{ReissnerBeam, ReissnerRod};

@@ -2,9 +2,9 @@
 
 use super::figure::Figure;
 use super::numerics::{beam, levels, round_off, speed, verification};
+use super::opening_rate;
 use super::peeling::{
-    directions, friction, laws, opening_rate, out_of_plane, points, pull, rough, spatula, spatula_directions,
-    stiffness, strip, work,
+    directions, friction, laws, out_of_plane, points, pull, rough, spatula, spatula_directions, stiffness, strip, work,
 };
 use super::runner::Runner;
 use super::solid;

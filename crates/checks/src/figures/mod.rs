@@ -3,6 +3,7 @@
 pub(crate) mod draw;
 mod figure;
 mod numerics;
+mod opening_rate;
 mod peeling;
 mod runner;
 mod solid;

@@ -72,7 +72,7 @@ pub fn rate(
     );
     let mut lines = vec![("largest force", peak), ("equilibria", format!("peak {equilibria}{ratio}"))];
     let mean = pulled.mean_force().filter(|_| failed.is_none());
-    lines.extend(mean.map(|mean| ("mean force", format!("{} over the second half of the way", force.short(mean)))));
+    lines.extend(mean.map(|mean| ("mean force", format!("{} from half to nine tenths of the way", force.short(mean)))));
     if let Some(LawOfTips { curve, events, .. }) = law {
         let (of_tip, off) = (tip_peak(curve), curve.snap_off());
         lines.insert(0, ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {off:.4} nm")));

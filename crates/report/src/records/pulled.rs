@@ -179,13 +179,17 @@ impl PulledAtRate {
         }
     }
 
-    /// Mean force over the second half of the way, by the work there, nN: the steady force of a body that is long enough.
+    /// Mean force from half to nine tenths of the way, by the work there, nN: the steady force of a body that is long enough. On the last of the way the
+    /// grip comes to rest, or the body comes off.
     pub fn mean_force(&self) -> Option<f64> {
         let (first, last) = (self.points.first()?, self.points.last()?);
-        let half = 0.5 * (first.displacement + last.displacement);
-        let from = self.points.iter().find(|point| point.displacement >= half)?;
-        let way = last.displacement - from.displacement;
-        (way > 0.0).then(|| (last.balance.work - from.balance.work) / way)
+        let at = |share: f64| {
+            let place = first.displacement + share * (last.displacement - first.displacement);
+            self.points.iter().find(|point| point.displacement >= place)
+        };
+        let (from, to) = (at(0.5)?, at(0.9)?);
+        let way = to.displacement - from.displacement;
+        (way > 0.0).then(|| (to.balance.work - from.balance.work) / way)
     }
 
     /// How far the pull went, nm.

@@ -3,6 +3,7 @@
 //! A shape is a file here that says what the law is called, what its corners take, and what it is, and a line of the list below.
 
 pub(super) mod at;
+pub(crate) mod opening_rate;
 mod ramp;
 pub(crate) mod tabulated;
 

@@ -9,7 +9,7 @@
 //! Source: M. Ortiz, L. Stainier, The variational formulation of viscoplastic constitutive updates, Comput. Methods Appl. Mech. Eng. 171 (1999).
 
 use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
-use crate::adhesion::section::opening_rate::RateLaw;
+use crate::adhesion::section::line_load::RateLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::section::Section;
 use crate::beam::stretch_law::StretchLaw;

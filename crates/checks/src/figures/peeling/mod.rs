@@ -3,7 +3,6 @@
 pub(super) mod directions;
 pub(super) mod friction;
 pub(super) mod laws;
-pub(super) mod opening_rate;
 pub(super) mod out_of_plane;
 pub(super) mod points;
 pub(super) mod pull;

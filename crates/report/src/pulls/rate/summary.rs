@@ -45,7 +45,7 @@ impl Record for RateFound<'_> {
         of.sometimes_part(|found| found.seta.as_ref());
         of.sometimes("stations", "with `output.stations`, `output.events` or options of them: where they lie, in time", |found| Some(PassedAt::of_rate(found.pulled, &found.scene.looked_for())).filter(|found| !found.is_empty()));
         of.field("largest_force", "the largest force of the pull", |found| Some(Largest { at: found.pulled.peak?, next: found.pulled.next_to_peak()? }));
-        of.field("mean_force_nN", "mean force over the second half of the way: work over displacement there; the steady force where the peel is steady by then", |found| found.pulled.mean_force());
+        of.field("mean_force_nN", "mean force from half to nine tenths of the way, work over displacement there: the steady force where the peel is steady by then", |found| found.pulled.mean_force());
         of.field("contact_lost_s", "when nothing adheres any more for the first time; else null", |found| found.pulled.contact_lost.map(|time| S_PER_NS * time));
         of.field("equilibria_peak", "first peak of the equilibria of the same scene, of a seta its peak; null where they have none", |found| found.equilibria.peak);
         of.field("force_over_equilibria", "largest force of the pull over the peak of the equilibria; null without one", |found| Some(found.pulled.peak?.force / found.equilibria.peak?.force));

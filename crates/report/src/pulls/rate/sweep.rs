@@ -27,7 +27,7 @@ pub struct RateResult {
     pub dissipated: f64,
     /// When nothing adhered any more for the first time
     pub contact_lost: Option<f64>,
-    /// Mean force over the second half of the way
+    /// Mean force from half to nine tenths of the way
     pub mean_force: Option<f64>,
     /// Of the grip, or of the machine behind its spring, to the end
     pub work: f64,
@@ -99,7 +99,7 @@ impl Record for RateRow {
         of.field("kinetic_aJ", "kinetic energy at the step next to it", |row| row.of(|found| Some(found.kinetic)));
         of.field("dissipated_aJ", "dissipated up to that step", |row| row.of(|found| Some(found.dissipated)));
         of.field("contact_lost_s", "when nothing adheres any more for the first time; empty where that does not happen", |row| row.of(|found| found.contact_lost));
-        of.field("mean_force_nN", "mean force over the second half of the way, as in summary.json", |row| row.of(|found| found.mean_force));
+        of.field("mean_force_nN", "mean force from half to nine tenths of the way, as in summary.json", |row| row.of(|found| found.mean_force));
         of.field("work_aJ", "work of the grip, or of the machine behind its spring, to the end", |row| row.of(|found| Some(found.work)));
         of.field("imbalance", "largest defect of the balance of energies at any step, over the largest work", |row| row.of(|found| Some(found.imbalance)));
         of.field("end", "as in summary.json of a pull at a rate", |row| row.end());

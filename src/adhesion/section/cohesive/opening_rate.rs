@@ -10,10 +10,6 @@
 //! A step in time replaces dδ/dt by c (δ - δ_k), with a rate c and a known opening δ_k from the steps before. Then the additional traction
 //! a (g - 1) is a function of the opening alone, and the tangent of the step is symmetric. Its power a (g - 1) dδ/dt is dissipated.
 
-use crate::adhesion::section::law::Law;
-use crate::adhesion::section::line_load::{LineLaw, LineLoad};
-use crate::adhesion::section::response::LineResponse;
-use crate::number::Real;
 use serde::{Deserialize, Serialize};
 
 /// How the traction grows with the rate of opening.
@@ -40,47 +36,18 @@ impl OpeningRate {
 
     /// From W, T and b of a face at rest, what they have besides in a step in which it has opened by so much (nm) since the known opening; in place of W
     /// stands the power over c.
-    fn levels(&self, [_, traction, slope]: [f64; 3], opened: f64, per_time: f64) -> [f64; 3] {
+    pub(in crate::adhesion::section) fn levels(
+        &self,
+        [_, traction, slope]: [f64; 3],
+        opened: f64,
+        per_time: f64,
+    ) -> [f64; 3] {
         let attraction = -traction;
         if attraction <= 0.0 {
             return [0.0; 3];
         }
         let [excess, by_rate] = self.excess(per_time * opened);
         [attraction * excess * opened, -attraction * excess, slope * excess + attraction * by_rate * per_time]
-    }
-}
-
-/// A cohesive law with an adhesive whose traction grows with the rate of opening.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RateLaw {
-    /// At rest
-    pub law: LineLaw,
-    /// What the rate makes of it
-    pub rate: OpeningRate,
-}
-
-impl RateLaw {
-    /// Distance of the bonded face of a section of this height (nm) at the gap (nm) and the rotation, nm.
-    pub fn distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
-        let half = if self.law.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height };
-        gap + half * (1.0 - rotation.cos())
-    }
-
-    /// What a section carries besides the load at rest, in a step whose known distance is this one (nm) and whose rate is c (1/ns).
-    #[inline(always)]
-    pub fn response<T: Real>(&self, height: T, gap: T, sin: T, cos: T, [known, per_time]: [T; 2]) -> LineResponse<T> {
-        let Law::Cohesive(cohesive) = &self.law.law else { return LineResponse::zero() };
-        let levels = |r: T| {
-            let [w, t, b] = cohesive.levels(r);
-            T::each_of([w, t, b, r - known, per_time], |[w, t, b, opened, per_time]| {
-                self.rate.levels([w, t, b], opened, per_time)
-            })
-        };
-        match self.law.line_load {
-            LineLoad::AxisGap => LineResponse::blind(levels(gap), None),
-            LineLoad::Full => LineResponse::of_bonded_face(levels, height, gap, sin, cos),
-            LineLoad::ForceOnly => LineResponse::of_bonded_face(levels, height, gap, sin, cos).without_moment(),
-        }
     }
 }
 

@@ -11,7 +11,7 @@ use peelkit_report::chart::{Axis, Frame, Line, Mark, Panel, Picture, RGBColor, S
 use rayon::prelude::*;
 use std::path::Path;
 
-const POINTS: &str = include_str!("../../../verification/opening_rate.csv");
+const POINTS: &str = include_str!("../../verification/opening_rate.csv");
 /// Exponents, and how they are drawn.
 const EXPONENTS: [(f64, RGBColor, &str); 3] =
     [(1.0, colour::VERMILLION, "n = 1"), (0.4, colour::BLUE, "n = 0.4"), (0.2, colour::GREEN, "n = 0.2")];
@@ -73,7 +73,7 @@ fn independent(rows: &[Row]) -> Vec<(f64, f64, f64)> {
     rows.iter().filter_map(of).collect()
 }
 
-pub(in crate::figures) fn figure(dir: &Path) -> Result<Figure, ReportError> {
+pub(super) fn figure(dir: &Path) -> Result<Figure, ReportError> {
     let (computed, independent) = (computed(), independent(&reference::read(POINTS)));
     let caption = "Steady force of a tape peeled straight up (50 µm, 2 GPa, 25 mm wide, 100 J/m² and 0.5 MPa at rest, exponential law) against the speed of the \
                    grip. Its adhesive resists its opening: the traction is (1 + rate of opening/10 µm/s)ⁿ as large. The mean over u = 2 to 2.9 mm. Black dots: \
