@@ -39,6 +39,9 @@ pub struct Tick {
     pub text: Option<String>,
 }
 
+/// A logarithmic axis is far above the unit of the files where it begins with so many of them.
+const FAR_ABOVE: f64 = 1e6;
+
 impl Axis {
     /// A linear axis.
     pub fn linear(label: &str, from: f64, to: f64) -> Self {
@@ -107,14 +110,14 @@ impl Axis {
     }
 
     /// The unit in which its numbers are written and that of its label, where these differ: of an axis of forces, lengths or works that which the
-    /// user wants, and else, on a linear one in the unit of the files, the prefix that fits.
+    /// user wants, and else, in the unit of the files, the prefix that fits; of a logarithmic axis where all of it is far above that unit.
     fn prefixed(&self) -> Option<(Unit, Unit)> {
         let name = self.label.rsplit_once('(')?.1.strip_suffix(')')?;
         let of_label = |units: &&[Unit]| units.iter().any(|known| known.name == name);
         let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_label)?;
         let own = *units.iter().find(|known| known.name == name)?;
         let fits = || Unit::fitting(units, self.from.abs().max(self.to.abs()).max(self.beside));
-        let has_prefix = own.size == 1.0 && !self.log;
+        let has_prefix = own.size == 1.0 && (!self.log || self.from >= FAR_ABOVE);
         let written = self.units.among(units).or_else(|| has_prefix.then(fits))?;
         (written != own).then_some((written, own))
     }
@@ -308,6 +311,11 @@ mod tests {
             ("force P (mN)".into(), ["0.0", "0.2", "0.4", "0.6", "0.8"].map(Into::into).to_vec())
         );
         assert_eq!(Axis::log("force P (nN)", 1e4, 1e6).title(), "force P (nN)", "a logarithmic axis has powers of ten");
+        let far = Axis::log("force P (nN)", 2e9, 3e10);
+        assert_eq!(
+            (texts(&far, 4), far.title()),
+            (["2", "5", "10", "20"].map(Into::into).to_vec(), "force P (N)".into())
+        );
     }
 
     #[test]
