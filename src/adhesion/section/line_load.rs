@@ -83,8 +83,13 @@ impl LineLaw {
     /// θ; zero of other laws.
     pub fn opening(&self, height: f64, gap: f64, rotation: f64) -> f64 {
         let Law::Cohesive(cohesive) = &self.law else { return 0.0 };
+        (self.face_distance(height, gap, rotation) - cohesive.closed) / cohesive.range
+    }
+
+    /// Distance of the face that is bonded where a section of this height (nm) is not tilted, at the gap η (nm) and the rotation θ, nm.
+    pub fn face_distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
         let lift = if self.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height * (1.0 - rotation.cos()) };
-        (gap + lift - cohesive.closed) / cohesive.range
+        gap + lift
     }
 
     /// Whether the load derives from a potential, so that the tangent is symmetric and energy is conserved.
@@ -184,12 +189,6 @@ pub struct RateLaw {
 }
 
 impl RateLaw {
-    /// Distance of the bonded face of a section of this height (nm) at the gap (nm) and the rotation, nm.
-    pub fn distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
-        let half = if self.law.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height };
-        gap + half * (1.0 - rotation.cos())
-    }
-
     /// What a section carries besides the load at rest, in a step whose known distance is this one (nm) and whose rate is c (1/ns).
     #[inline(always)]
     pub fn response<T: Real>(&self, height: T, gap: T, sin: T, cos: T, [known, per_time]: [T; 2]) -> LineResponse<T> {

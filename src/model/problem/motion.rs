@@ -137,7 +137,7 @@ impl PeelModel {
         let profile = self.profile();
         let distance = adhesive.map(|adhesive| -> FaceDistance {
             let profile = profile.clone();
-            Box::new(move |place, [gap, rotation]| adhesive.distance(profile.at(place).height, gap, rotation))
+            Box::new(move |place, [gap, rotation]| adhesive.law.face_distance(profile.at(place).height, gap, rotation))
         });
         let inertia = BeamInertia { section: Box::new(section), viscosity: material.viscosity, distance };
         let statics = self.discretised(how, |beam| {

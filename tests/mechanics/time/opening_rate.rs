@@ -16,6 +16,7 @@ use peelkit::study::{PullInTime, PullRate, TimeAccuracy, Until, pull_in_time};
 
 const UM: f64 = 1e3;
 const MM: f64 = 1e6;
+
 struct Row {
     height: f64,
     strength: f64,
@@ -73,17 +74,17 @@ fn the_steady_force_is_that_of_the_frame_of_the_front() {
         let steady = pull.points.iter().filter(|point| (2.0 * MM..2.9 * MM).contains(&point.displacement));
         let misses: Vec<f64> = steady.map(|point| point.force / row.force - 1.0).collect();
         assert!(misses.len() > 30 && pull.balance_error() < 1e-4, "{} {:.1e}", misses.len(), pull.balance_error());
+        let mean = misses.iter().sum::<f64>() / misses.len() as f64;
         let largest = misses.iter().fold(0.0_f64, |largest, miss| largest.max(miss.abs()));
         println!(
-            "V {:.0e} m/s, n {}, h {} nm: {} elements, mean {:.1e}, largest {largest:.1e}, balance {:.1e}",
+            "V {:.0e} m/s, n {}, h {} nm: {} elements, mean {mean:.1e}, largest {largest:.1e}, balance {:.1e}",
             row.velocity,
             row.opening.exponent,
             row.height,
             pull.elements,
-            misses.iter().sum::<f64>() / misses.len() as f64,
             pull.balance_error()
         );
-        [(misses.iter().sum::<f64>() / misses.len() as f64).abs(), largest]
+        [mean.abs(), largest]
     };
     let rows = rows();
     for row in [3, 4, 6, 8, 11, 13, 14].map(|k: usize| &rows[k]) {
