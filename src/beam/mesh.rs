@@ -216,7 +216,7 @@ pub struct MeshPolicy {
 impl MeshPolicy {
     /// Ends of so many elements on each piece for a front at this place and edges so far from it, which may be found faster from the `near` ones of
     /// a similar mesh; without a front they are graded towards nothing.
-    pub fn ends(&self, front: Option<f64>, edges: [f64; 2], counts: &[usize], near: &[f64]) -> Vec<f64> {
+    pub fn ends(&self, front: Option<f64>, edges: &[f64], counts: &[usize], near: &[f64]) -> Vec<f64> {
         let Self { kind, front_foci, edge_foci, fixed_foci, pieces } = self;
         let mut foci = Vec::with_capacity(front_foci.len() + edges.len() * edge_foci.len() + fixed_foci.len());
         if let Some(front) = front.filter(|_| *kind != MeshKind::Uniform) {

@@ -37,17 +37,19 @@ pub use spatial::chain::spatial_chain::{
     SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
 };
 pub use spatial::end_rotation::{EndRotation, angles, turned};
-pub use spatial::rest::{ALONG_X, RestOutline, SpatialRest, SpatialRestCurve};
+pub use spatial::rest::{ALONG_X, BranchRest, PlacedRest, RestOutline, SpatialRest, SpatialRestCurve};
 pub use spatial::rotation;
+pub use spatial::section::branch_sections::{AdheringSections, BranchSections};
 pub use spatial::section::density::SpatialDensity;
 pub use spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+pub use spatial::section::lying_section::LyingSection;
 pub use spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
 pub use spatial::section::strain_memory::SpatialKnownStrains;
 pub use spatial::section_state::{GripReactions, SpatialIntegrals, SpatialSectionPlace, SpatialSectionState};
 pub use spatial::spatial_beam::{SpatialBeam, SpatialInertia};
 pub use spatial::tree::beam_tree::BeamTree;
 pub use spatial::tree::branching_beam::{
-    Branch, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError,
+    Branch, BranchMesh, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError,
 };
 pub use spatial::tree::factors::TreeFactors;
 pub use spatial::tree::read::BranchSection;

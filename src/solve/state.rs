@@ -10,8 +10,8 @@ pub struct Mesh {
     pub boundaries: Vec<f64>,
     /// What it follows: where the peeling front is
     pub focus: f64,
-    /// Where the two edges of a section let go, from there, nm; zeros where the mesh does not follow these.
-    pub edges: [f64; 2],
+    /// Further numbers that it follows, as the system says: they are extrapolated along a path
+    pub follows: Vec<f64>,
 }
 
 impl Mesh {
@@ -175,4 +175,13 @@ pub struct PathConstraint {
     pub weights: Observables,
     /// In the unit of weights times observables
     pub target: f64,
+}
+
+/// Σ wᵢ xᵢ of lists of numbers that are equally long.
+pub fn weighted_sum(states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
+    for (state, weight) in states.iter().zip(weights) {
+        sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sum
 }

@@ -263,9 +263,9 @@ pub trait System: Send + Sync {
         at.clone()
     }
 
-    /// The mesh for these monitors and [`Mesh::edges`], with as many elements as `like` and near to it.
-    fn mesh_for(&self, monitors: [f64; MONITORS], edges: [f64; 2], like: &Mesh) -> Mesh {
-        let _ = (monitors, edges);
+    /// The mesh for these monitors and [`Mesh::follows`], with as many elements as `like` and near to it.
+    fn mesh_for(&self, monitors: [f64; MONITORS], follows: &[f64], like: &Mesh) -> Mesh {
+        let _ = (monitors, follows);
         like.clone()
     }
 

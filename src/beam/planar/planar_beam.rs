@@ -337,7 +337,7 @@ impl PlanarBeam {
         let focus = self.centered(front);
         let moves = self.mesh.kind == MeshKind::Moving;
         let front = self.adheres().then(|| if moves { self.fronts.place(focus) } else { self.rest_front });
-        Mesh { boundaries: self.mesh.ends(front, [0.0; 2], counts, near), focus, ..Mesh::default() }
+        Mesh { boundaries: self.mesh.ends(front, &[0.0; 2], counts, near), focus, ..Mesh::default() }
     }
 
     /// A mesh of its own for a front.

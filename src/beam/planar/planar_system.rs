@@ -213,7 +213,7 @@ impl System for PlanarBeam {
         self.resampled(at, self.mesh_of(monitors[FRONT], &self.mesh.pieces.counted(&at.mesh.boundaries), &[]))
     }
 
-    fn mesh_for(&self, monitors: [f64; MONITORS], _: [f64; 2], like: &Mesh) -> Mesh {
+    fn mesh_for(&self, monitors: [f64; MONITORS], _: &[f64], like: &Mesh) -> Mesh {
         self.mesh_near(monitors[FRONT], like)
     }
 

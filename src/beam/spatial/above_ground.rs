@@ -19,49 +19,68 @@
 use super::chain::spatial_chain::quaternion_of;
 use super::rotation::{Quaternion, matrix};
 use super::section::kinematics::SPATIAL_FIELDS;
+use super::section::spatial_profile::SpatialProfile;
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::solve::state::State;
 
-impl SpatialBeam {
-    /// The two places, from that of the front, nm; zeros where nothing follows them.
-    pub fn edges(&self, at: &State, front: f64) -> [f64; 2] {
-        if !self.adheres() || self.mesh.edge_foci.is_empty() {
-            return [0.0; 2];
-        }
-        let (order, boundaries) = (self.chain.order(), &at.mesh.boundaries);
-        let is_round = self.chain.density.adhesion.as_ref().is_some_and(|own| own.shape() == SectionShape::Ellipse);
-        let nodes = at.values[..at.values.len() - ANGLES].chunks_exact(SPATIAL_FIELDS);
+/// Sections whose edges let go of the ground: their outline, and how they lie.
+#[derive(Clone, Copy)]
+pub(super) struct LettingGo<'a> {
+    pub profile: &'a SpatialProfile,
+    pub shape: SectionShape,
+    /// r0, nm
+    pub gap_scale: f64,
+    /// g0: gap of a section that lies on the ground, nm
+    pub gap: f64,
+}
+
+impl LettingGo<'_> {
+    /// E of the two edges, nm, of nodes at S with their fields.
+    pub fn edges<'n>(&self, nodes: impl Iterator<Item = (f64, &'n [f64])>) -> [f64; 2] {
         let (mut sums, mut before) = ([0.0; 2], (0.0, [0.0; 2]));
-        for (k, node) in nodes.enumerate() {
-            let element = (k / order).min(boundaries.len() - 2);
-            let (from, to) = (boundaries[element], boundaries[element + 1]);
-            let place = from + self.chain.node_fraction(k - element * order) * (to - from);
-            let adhering = self.adhering_edges(place, node, is_round);
+        for (place, node) in nodes {
+            let adhering = self.adhering_edges(place, node);
             for edge in 0..2 {
                 sums[edge] += 0.5 * (place - before.0) * (adhering[edge] + before.1[edge]);
             }
             before = (place, adhering);
         }
-        let [y, height] = self.lying();
-        let rest = adhering((y - 0.5 * height) / self.scale[0]);
-        let place = self.rest.fronts().place(front);
-        sums.map(|sum| sum / rest - place)
+        let rest = adhering(self.gap / self.gap_scale);
+        sums.map(|sum| sum / rest)
     }
 
     /// w of the two edges of a section with these fields.
-    fn adhering_edges(&self, place: f64, node: &[f64], is_round: bool) -> [f64; 2] {
+    fn adhering_edges(&self, place: f64, node: &[f64]) -> [f64; 2] {
         let frame = matrix(quaternion_of(node));
-        let [width, height] = self.chain.density.profile.outline(place);
+        let [width, height] = self.profile.outline(place);
         let (aside, up) = (0.5 * width * frame[1][1], 0.5 * height * frame[1][2].abs());
-        let gaps = if is_round { [node[1] - aside.hypot(up); 2] } else { [node[1] - up - aside, node[1] - up + aside] };
-        gaps.map(|gap| adhering(gap / self.scale[0]))
+        let gaps = match self.shape {
+            SectionShape::Ellipse => [node[1] - aside.hypot(up); 2],
+            SectionShape::Rectangle => [node[1] - up - aside, node[1] - up + aside],
+        };
+        gaps.map(|gap| adhering(gap / self.gap_scale))
     }
+}
 
-    /// Height of the axis and of the section at the left end where that lies on the ground, nm.
-    fn lying(&self) -> [f64; 2] {
+impl SpatialBeam {
+    /// The two places, from that of the front, nm; zeros where nothing follows them.
+    pub fn edges(&self, at: &State, front: f64) -> Vec<f64> {
+        let Some(adhesion) = self.chain.density.adhesion.as_ref().filter(|_| !self.mesh.edge_foci.is_empty()) else {
+            return vec![0.0; 2];
+        };
+        let (order, boundaries) = (self.chain.order(), &at.mesh.boundaries);
+        let nodes = at.values[..at.values.len() - ANGLES].chunks_exact(SPATIAL_FIELDS).enumerate().map(|(k, node)| {
+            let element = (k / order).min(boundaries.len() - 2);
+            let (from, to) = (boundaries[element], boundaries[element + 1]);
+            (from + self.chain.node_fraction(k - element * order) * (to - from), node)
+        });
         let ([_, y, _], _) = self.rest.at(0.0);
-        [y, self.chain.density.profile.outline(0.0)[1]]
+        let profile = &self.chain.density.profile;
+        let gap = y - 0.5 * profile.outline(0.0)[1];
+        let own = LettingGo { profile, shape: adhesion.shape(), gap_scale: self.scale[0], gap };
+        let place = self.rest.fronts().place(front);
+        own.edges(nodes).map(|edge| edge - place).to_vec()
     }
 }
 

@@ -4,6 +4,7 @@ use super::end_rotation::turned;
 use super::rotation::{Matrix3, Quaternion, apply, cross, dot, exponential, matrix, product};
 use crate::beam::planar::planar_beam::FrontPosition;
 use crate::beam::reference_configuration::VaryingReference;
+use std::sync::Arc;
 
 /// A curve along which the directors turn evenly: R0' = R0 K0×, r0' = R0 e1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,6 +145,70 @@ impl SpatialRest {
         match self {
             Self::Curve(_) => length,
             Self::Outline(outline) => outline.rest_front,
+        }
+    }
+}
+
+// -- Of a branch of a tree --
+
+/// The stress-free axis and directors of a branch.
+#[derive(Clone, Debug)]
+pub enum BranchRest {
+    /// A curve whose directors turn evenly
+    Curve(SpatialRestCurve),
+    /// That of a beam, as it was placed
+    Placed(PlacedRest),
+}
+
+/// The stress-free configuration of a beam, turned, and then moved.
+#[derive(Clone, Debug)]
+pub struct PlacedRest {
+    /// Of the beam where it is made
+    pub rest: Arc<SpatialRest>,
+    /// How it is turned about the origin
+    pub turn: Quaternion,
+    /// Where the origin is moved to, nm
+    pub origin: [f64; 3],
+}
+
+impl BranchRest {
+    /// Place (nm) and directors at S.
+    pub fn at(&self, place: f64) -> ([f64; 3], Quaternion) {
+        match self {
+            Self::Curve(curve) => curve.at(place),
+            Self::Placed(PlacedRest { rest, turn, origin }) => {
+                let ([x, y, z], directors) = rest.at(place);
+                let own = [x, rest.lifted(place, y), z];
+                let turned = apply(&matrix(*turn), &own);
+                (std::array::from_fn(|i| origin[i] + turned[i]), product(*turn, directors))
+            }
+        }
+    }
+
+    /// S up to which a branch of this length adheres at rest, as a front, nm.
+    pub(super) fn front_at_rest(&self, length: f64) -> f64 {
+        match self {
+            Self::Curve(_) => length,
+            Self::Placed(PlacedRest { rest, .. }) => rest.fronts().near(rest.front(length)),
+        }
+    }
+
+    /// S of a front of a branch of this length, nm.
+    pub(super) fn place_of_front(&self, front: f64, length: f64) -> f64 {
+        match self {
+            Self::Curve(_) => front.clamp(0.0, length),
+            Self::Placed(PlacedRest { rest, .. }) => {
+                let fronts = rest.fronts();
+                fronts.place(front.clamp(0.0, fronts.near(length)))
+            }
+        }
+    }
+
+    /// K0 of a curve, 1/nm; sections of a beam that is placed say their own.
+    pub(super) fn curvature(&self) -> [f64; 3] {
+        match self {
+            Self::Curve(curve) => curve.curvature,
+            Self::Placed(_) => [0.0; 3],
         }
     }
 }

@@ -49,12 +49,3 @@ pub fn node_difference(from: &[f64], to: &[f64]) -> [f64; F] {
     let turn = logarithm(product(conjugate(quaternion_of(from)), quaternion_of(to)));
     std::array::from_fn(|i| if i < 3 { to[i] - from[i] } else { turn[i - 3] })
 }
-
-/// Σ wᵢ xᵢ of the numbers of states; quaternions are not of length one then.
-pub fn weighted_sum(states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
-    let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
-    for (state, weight) in states.iter().zip(weights) {
-        sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);
-    }
-    sum
-}

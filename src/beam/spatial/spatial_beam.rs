@@ -83,12 +83,12 @@ impl SpatialBeam {
     }
 
     /// The mesh for a front and edges with so many elements on each piece, which may be found faster from the `near` ends of a similar one.
-    pub(super) fn mesh_of(&self, front: f64, edges: [f64; 2], counts: &[usize], near: &[f64]) -> Mesh {
+    pub(super) fn mesh_of(&self, front: f64, edges: &[f64], counts: &[usize], near: &[f64]) -> Mesh {
         let focus = self.centered(front);
         let moves = self.mesh.kind == MeshKind::Moving;
         let place = || if moves { self.rest.fronts().place(focus) } else { self.rest.front(self.length) };
-        let followed = if moves { edges } else { [0.0; 2] };
-        Mesh { boundaries: self.mesh.ends(self.adheres().then(place), followed, counts, near), focus, edges }
+        let followed = if moves { edges } else { &[0.0; 2] };
+        Mesh { boundaries: self.mesh.ends(self.adheres().then(place), followed, counts, near), focus, follows: edges.to_vec() }
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
@@ -96,19 +96,19 @@ impl SpatialBeam {
         front.clamp(0.0, self.rest.fronts().near(self.length))
     }
 
-    /// A mesh of its own for a front and [`Mesh::edges`].
-    pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
+    /// A mesh of its own for a front and [`Mesh::follows`], its edges.
+    pub fn mesh_at(&self, front: f64, edges: &[f64], elements: usize) -> Mesh {
         self.mesh_of(front, edges, &self.mesh.pieces.shared_out(elements), &[])
     }
 
     /// The mesh for a front and edges with as many elements as another one, found faster near to that.
-    pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
+    pub fn mesh_near(&self, front: f64, edges: &[f64], like: &Mesh) -> Mesh {
         self.mesh_of(front, edges, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
     }
 
     /// A state read off on another mesh.
     pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
-        let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
+        let mut values = self.chain.along(self.configuration(at)).resampled(&mesh.boundaries);
         values.extend_from_slice(&at.values[at.values.len() - ANGLES..]);
         self.settle_rotations(&mut values);
         State { mesh, values, ..at.clone() }

@@ -4,13 +4,13 @@ use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialF
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use super::shared_system::{condensed, node_difference, step_node, weighted_sum};
+use super::shared_system::{condensed, node_difference, step_node};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::element::integration::ElementEnergy;
 use crate::beam::mesh::{MeshKind, nodal_lengths};
 use crate::beam::planar::planar_beam::{FRONT, TIP_ROTATION};
 use crate::solve::error::SolveError;
-use crate::solve::state::{MONITORS, Mesh, State};
+use crate::solve::state::{MONITORS, Mesh, State, weighted_sum};
 use crate::solve::system::{
     Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown,
 };
@@ -226,33 +226,33 @@ impl System for SpatialBeam {
     }
 
     fn stress_free(&self, elements: usize) -> State {
-        let mesh = self.mesh_at(self.rest.fronts().near(self.rest.front(self.length)), [0.0; 2], elements);
+        let mesh = self.mesh_at(self.rest.fronts().near(self.rest.front(self.length)), &[0.0; 2], elements);
         let mut values = self.rest_values(&mesh.boundaries);
         self.settle_rotations(&mut values);
         State { values, mesh, force: 0.0, history: None }
     }
 
     fn on_elements(&self, at: &State, elements: usize) -> State {
-        self.resampled(at, self.mesh_at(at.mesh.focus, at.mesh.edges, elements))
+        self.resampled(at, self.mesh_at(at.mesh.focus, &at.mesh.follows, elements))
     }
 
     fn refined(&self, at: &State) -> State {
         let counts = self.mesh.pieces.refined(&at.mesh.boundaries);
-        self.resampled(at, self.mesh_of(at.mesh.focus, at.mesh.edges, &counts, &[]))
+        self.resampled(at, self.mesh_of(at.mesh.focus, &at.mesh.follows, &counts, &[]))
     }
 
     fn refocused(&self, at: &State, monitors: [f64; MONITORS]) -> State {
         let counts = self.mesh.pieces.counted(&at.mesh.boundaries);
-        self.resampled(at, self.mesh_of(monitors[FRONT], self.edges(at, monitors[FRONT]), &counts, &[]))
+        self.resampled(at, self.mesh_of(monitors[FRONT], &self.edges(at, monitors[FRONT]), &counts, &[]))
     }
 
-    fn mesh_for(&self, monitors: [f64; MONITORS], edges: [f64; 2], like: &Mesh) -> Mesh {
-        self.mesh_near(monitors[FRONT], edges, like)
+    fn mesh_for(&self, monitors: [f64; MONITORS], follows: &[f64], like: &Mesh) -> Mesh {
+        self.mesh_near(monitors[FRONT], follows, like)
     }
 
     fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> State {
-        let mesh = self.mesh_near(monitors[FRONT], self.edges(at, monitors[FRONT]), &at.mesh);
-        let mut values = self.chain.shifted(self.configuration(at), &mesh.boundaries);
+        let mesh = self.mesh_near(monitors[FRONT], &self.edges(at, monitors[FRONT]), &at.mesh);
+        let mut values = self.chain.along(self.configuration(at)).shifted(&mesh.boundaries);
         values.extend_from_slice(&at.values[values.len()..]);
         self.settle_rotations(&mut values);
         State { mesh, values, force: at.force, history: None }
@@ -266,7 +266,7 @@ impl System for SpatialBeam {
         if (self.centered(front) - at.mesh.focus).abs() < MOVED * self.process_length {
             return None;
         }
-        Some(self.resampled(at, self.mesh_near(front, self.edges(at, front), &at.mesh)))
+        Some(self.resampled(at, self.mesh_near(front, &self.edges(at, front), &at.mesh)))
     }
 
     /// Turned in the plane, the more the farther from the grip, and rolled to the side to which the end is pulled, by as much as moves an

@@ -130,11 +130,11 @@ impl Beam {
         }
     }
 
-    /// The mesh for a front and [`Mesh::edges`] with as many elements as another one.
-    pub fn mesh_near(&self, front: f64, edges: [f64; 2], like: &Mesh) -> Mesh {
+    /// The mesh for a front and [`Mesh::follows`] with as many elements as another one.
+    pub fn mesh_near(&self, front: f64, follows: &[f64], like: &Mesh) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_near(front, like),
-            Self::Spatial(beam) => beam.mesh_near(front, edges, like),
+            Self::Spatial(beam) => beam.mesh_near(front, follows, like),
         }
     }
 
@@ -170,11 +170,11 @@ impl Beam {
         }
     }
 
-    /// A mesh of its own for a front and [`Mesh::edges`].
-    pub fn mesh_at(&self, front: f64, edges: [f64; 2], elements: usize) -> Mesh {
+    /// A mesh of its own for a front and [`Mesh::follows`].
+    pub fn mesh_at(&self, front: f64, follows: &[f64], elements: usize) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_at(front, elements),
-            Self::Spatial(beam) => beam.mesh_at(front, edges, elements),
+            Self::Spatial(beam) => beam.mesh_at(front, follows, elements),
         }
     }
 }

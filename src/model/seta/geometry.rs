@@ -249,7 +249,7 @@ impl Seta {
 
     /// Directors of the branch that ends at a joint, in the stress-free configuration; of the root those of the shaft.
     pub fn directors(&self, joint: usize) -> Quaternion {
-        self.branch(joint.max(1), 1).rest.directors
+        self.branch(joint.max(1), 1).rest.at(0.0).1
     }
 
     /// The tree of beams, with the root at joint 0 and without conditions at its tips. Branch b ends at joint b + 1.

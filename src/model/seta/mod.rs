@@ -3,5 +3,6 @@ pub(crate) mod check;
 mod geometry;
 pub(crate) mod normal_pull;
 pub(crate) mod parameters;
+pub(crate) mod spatulae;
 pub(crate) mod tip_law;
 pub(crate) mod whole_tree;

@@ -7,7 +7,7 @@
 use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::problem::Problem;
-use crate::solve::state::{MONITORS, State};
+use crate::solve::state::{MONITORS, State, weighted_sum};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -37,28 +37,27 @@ pub fn predicted(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], co
     on_mesh_of(problem, &points[..count], &lagrange_weights(&labels[..count], step), followed)
 }
 
-/// What a mesh follows, extrapolated: the monitors, and where the edges are.
-fn followed(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> ([f64; MONITORS], [f64; 2]) {
-    let (mut monitors, mut edges) = ([0.0; MONITORS], [0.0; 2]);
+/// What a mesh follows, extrapolated: the monitors, and the numbers of its own.
+fn followed(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> ([f64; MONITORS], Vec<f64>) {
+    let mut monitors = [0.0; MONITORS];
     for (point, &weight) in points.iter().zip(weights) {
         (0..MONITORS).for_each(|k| monitors[k] += weight * point.observables.monitors[k]);
-        let own = point.aligned(problem).mesh.edges;
-        (0..edges.len()).for_each(|k| edges[k] += weight * own[k]);
     }
-    (monitors, edges)
+    let own: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).mesh.follows).collect();
+    (monitors, weighted_sum(&own, weights))
 }
 
 fn on_mesh_of(
     problem: &Problem,
     points: &[Arc<Solution>],
     weights: &[f64],
-    (monitors, edges): ([f64; MONITORS], [f64; 2]),
+    (monitors, follows): ([f64; MONITORS], Vec<f64>),
 ) -> State {
     let counted: Vec<Cow<[f64]>> = points.iter().map(|point| counted(problem, point.aligned(problem))).collect();
     let states: Vec<&[f64]> = counted.iter().map(|values| &**values).collect();
     let force = points.iter().zip(weights).fold(0.0, |sum, (point, &weight)| sum + weight * point.at.force);
     let mut at = State {
-        mesh: problem.system.mesh_for(monitors, edges, &points[0].at.mesh),
+        mesh: problem.system.mesh_for(monitors, &follows, &points[0].at.mesh),
         values: problem.system.combine(&states, weights),
         force,
         history: points[0].at.history.clone(),

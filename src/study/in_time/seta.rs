@@ -335,7 +335,7 @@ impl<'a> Run<'a> {
         displacement: f64,
     ) -> Result<(Vec<TipChange>, f64), SetaInTimeFailureKind> {
         let viscous = std::mem::replace(&mut self.standing.tree, tree);
-        let before = self.standing.adhering_tree(&self.drive, None, TipTangent::Own).energy(&self.motion.at.values);
+        let before = self.standing.adhering_tree(&self.drive, None, TipTangent::Own).energy(&self.motion.at);
         let mut ws = Workspace::until(self.should_stop.clone());
         let start = (self.motion.at.clone(), displacement);
         let rested = come_to_rest(&mut self.standing, &self.drive, start, tips, AT_REST, &mut ws);
@@ -352,8 +352,8 @@ impl<'a> Run<'a> {
     fn energies(&self) -> EnergyBalance {
         let at = &self.motion.at;
         let tree = self.standing.adhering_tree(&self.drive, None, TipTangent::Own);
-        let (stored, total) = (tree.stored_energy(at), tree.energy(&at.values));
-        let fast = tree.in_jump(&self.motion.memory).map_or(total, |fast| fast.energy(&at.values));
+        let (stored, total) = (tree.stored_energy(at), tree.energy(at));
+        let fast = tree.in_jump(&self.motion.memory).map_or(total, |fast| fast.energy(at));
         EnergyBalance { stored: stored + fast - total, adhesion: total - stored, ..EnergyBalance::default() }
     }
 

@@ -244,7 +244,7 @@ impl LoadingSequence {
         constraint: &PathConstraint,
     ) -> Result<(), LoadingError> {
         let beam = &problem.beam;
-        let mesh = beam.mesh_at(end.observables.monitors[FRONT], end.aligned(problem).mesh.edges, 2 * self.elements);
+        let mesh = beam.mesh_at(end.observables.monitors[FRONT], &end.aligned(problem).mesh.follows, 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
         let at = unit.reached(problem.beam.grip_forces(&end.at), end.observables.displacement);

@@ -8,6 +8,7 @@ pub(super) mod assembly;
 mod back;
 pub(super) mod end_block;
 mod factors;
+pub(in crate::beam::spatial) mod fields_along;
 pub(crate) mod projection;
 pub mod read;
 pub(crate) mod spatial_chain;

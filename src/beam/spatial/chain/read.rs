@@ -136,51 +136,6 @@ impl SpatialChain {
         let stretch = 2.0 / own.length;
         (value, combine(&own.values, &slopes).map(|slope| slope * stretch))
     }
-
-    /// The fields on boundaries of elements that lie a little beside those of `at`: each node moved along the polynomial of its element, to
-    /// second order in the move.
-    pub fn shifted(&self, at: SpatialConfiguration, boundaries: &[f64]) -> Vec<f64> {
-        let (count, order) = (self.basis.order + 1, self.basis.order);
-        let mut fields = at.fields.to_vec();
-        for e in 0..boundaries.len() - 1 {
-            let own = self.element(at, e);
-            let (from, length) = (boundaries[e], boundaries[e + 1] - boundaries[e]);
-            let first = self.basis.differentiate(self.nodes(), &own.values);
-            let second = self.basis.differentiate(self.nodes(), &first);
-            for rank in usize::from(e > 0)..count {
-                let a = slot(count, rank);
-                let place = 0.5 * (1.0 + self.basis.nodes[a]);
-                let shift = 2.0 / own.length * (from - own.from + place * (length - own.length));
-                let node = &mut fields[(e * order + rank) * N..][..N];
-                for f in 0..N {
-                    node[f] += shift * (first[a][f] + 0.5 * shift * second[a][f]);
-                }
-                normalise(node);
-            }
-        }
-        fields
-    }
-
-    /// The fields on other boundaries of elements, each new node read off the element it falls in.
-    pub fn resampled(&self, at: SpatialConfiguration, boundaries: &[f64]) -> Vec<f64> {
-        let (order, mut old) = (self.basis.order, 0);
-        let mut fields = Vec::with_capacity(((boundaries.len() - 1) * order + 1) * N);
-        for (e, pair) in boundaries.windows(2).enumerate() {
-            let last = usize::from(e + 2 == boundaries.len());
-            for rank in 0..order + last {
-                let s = pair[0] + self.node_fraction(rank) * (pair[1] - pair[0]);
-                while old + 2 < at.boundaries.len() && s > at.boundaries[old + 1] {
-                    old += 1;
-                }
-                let (from, to) = (at.boundaries[old], at.boundaries[old + 1]);
-                let shape = self.basis.sample_values(2.0 * (s - from) / (to - from) - 1.0);
-                let mut node = combine(&self.element(at, old).values, &shape);
-                normalise(&mut node);
-                fields.extend_from_slice(&node);
-            }
-        }
-        fields
-    }
 }
 
 /// Makes the quaternion of a node one of length one.
@@ -190,7 +145,7 @@ pub fn normalise(node: &mut [f64]) {
 }
 
 /// Σ shape·values over the nodes.
-fn combine(values: &[[f64; N]; MOST_NODES], shape: &PerNode) -> [f64; N] {
+pub(super) fn combine(values: &[[f64; N]; MOST_NODES], shape: &PerNode) -> [f64; N] {
     let mut sum = [0.0; N];
     for a in 0..MOST_NODES {
         for f in 0..N {

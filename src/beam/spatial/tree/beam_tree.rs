@@ -1,6 +1,6 @@
 //! A tree of beams that can be eliminated: its branches, its nodes, and how a state lays them out.
 
-use super::branching_beam::{EndEnergy, JointUnknown};
+use super::branching_beam::{BranchMesh, EndEnergy, JointUnknown};
 use super::topology::TreeBundle;
 use crate::beam::element::basis::{AnyNumber, Basis, Nodes, slot};
 use crate::beam::element::integrand::Integrand;
@@ -8,14 +8,15 @@ use crate::beam::element::integration::{BUNDLE, Element, Integration};
 use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::rest::SpatialRestCurve;
+use crate::beam::spatial::rest::BranchRest;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, cross, product};
+use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::density::SpatialDensity;
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::beam::viscosity::Viscosity;
 use crate::number::F64x4;
-use crate::solve::state::{MONITORS, State};
+use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
 
@@ -69,7 +70,9 @@ pub(super) struct RememberedStrains {
 /// A branch of it.
 #[derive(Clone, Debug)]
 pub(super) struct TreeBranch {
-    pub density: SpatialDensity,
+    pub density: Arc<SpatialDensity>,
+    /// What of it adheres
+    pub adhering: Option<Arc<AdheringSections>>,
     /// At S = 0 and at S = L
     pub joints: [usize; 2],
     /// Which of these is nearer to the root
@@ -78,10 +81,13 @@ pub(super) struct TreeBranch {
     pub offsets: [Option<Quaternion>; 2],
     pub length: f64,
     pub elements: usize,
+    pub mesh: BranchMesh,
+    /// Where its boundaries begin in the mesh of a state, where they move
+    pub first_boundary: usize,
     /// Number of its first node that is no joint
     pub first_node: usize,
     pub first_element: usize,
-    pub rest: SpatialRestCurve,
+    pub rest: BranchRest,
 }
 
 /// A joint with a condition, or the root.
@@ -109,9 +115,12 @@ impl TreeBranch {
         if self.near == 1 { k } else { self.elements - 1 - k }
     }
 
-    /// S of the end of an element, nm.
-    pub fn boundary(&self, k: usize) -> f64 {
-        self.length * k as f64 / self.elements as f64
+    /// S of the ends of its elements in a mesh, nm.
+    pub fn ends<'a>(&'a self, mesh: &'a Mesh) -> &'a [f64] {
+        match &self.mesh {
+            BranchMesh::Fixed(ends) => ends,
+            BranchMesh::Following { .. } => &mesh.boundaries[self.first_boundary..][..=self.elements],
+        }
     }
 
     /// Number of a node of an element: of a rank from 0 to p.
@@ -160,6 +169,16 @@ impl BeamTree {
         ([node[0], node[1], node[2]], quaternion_of(node))
     }
 
+    /// Length of a branch, nm.
+    pub fn length(&self, branch: usize) -> f64 {
+        self.branches[branch].length
+    }
+
+    /// Place (nm) and directors of a branch in the stress-free configuration, at S.
+    pub fn rest_at(&self, branch: usize, place: f64) -> ([f64; 3], Quaternion) {
+        self.branches[branch].rest.at(place)
+    }
+
     /// Places and directors of a branch between its joints, where two elements meet.
     pub fn between_joints(&self, at: &State, branch: usize) -> Vec<([f64; 3], Quaternion)> {
         let own = &self.branches[branch];
@@ -195,11 +214,11 @@ impl BeamTree {
     }
 
     /// Strains at all Gauss points, element by element, with what they store.
-    pub(super) fn strains(&self, values: &[f64]) -> Vec<StrainAt> {
+    pub(super) fn strains(&self, at: &State) -> Vec<StrainAt> {
         let mut all = Vec::with_capacity(self.elements * self.order());
         for branch in self.branches.iter() {
             for e in 0..branch.elements {
-                let element = self.element(values, branch, e);
+                let element = self.element(at, branch, e);
                 all.extend(strains_of(&branch.density, &element, self.count(), &self.basis));
             }
         }
@@ -222,31 +241,31 @@ impl BeamTree {
     /// The values of four elements.
     pub(super) fn gather(
         &self,
-        values: &[f64],
+        at: &State,
         lanes: &[(&TreeBranch, usize); BUNDLE],
         bundle: &mut Element<F64x4, SPATIAL_FIELDS>,
     ) {
         let count = self.order() + 1;
         for (l, &(branch, e)) in lanes.iter().enumerate() {
-            let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
-            (bundle.from.0[l], bundle.length.0[l]) = (from, to - from);
+            let ends = branch.ends(&at.mesh);
+            (bundle.from.0[l], bundle.length.0[l]) = (ends[e], ends[e + 1] - ends[e]);
             if let Some(known) = self.known() {
                 known.put_lane(self.order(), branch.first_element + e, l, &mut bundle.memories);
             }
             for rank in 0..count {
-                let own = self.fields(values, branch, e, rank);
+                let own = self.fields(&at.values, branch, e, rank);
                 (0..SPATIAL_FIELDS).for_each(|f| bundle.values[slot(count, rank)][f].0[l] = own[f]);
             }
         }
     }
 
     /// One element of a branch.
-    pub(super) fn element(&self, values: &[f64], branch: &TreeBranch, e: usize) -> Element<f64, SPATIAL_FIELDS> {
+    pub(super) fn element(&self, at: &State, branch: &TreeBranch, e: usize) -> Element<f64, SPATIAL_FIELDS> {
         let (count, mut element) = (self.order() + 1, Element::zero());
-        element.from = branch.boundary(e);
-        element.length = branch.boundary(e + 1) - element.from;
+        let ends = branch.ends(&at.mesh);
+        (element.from, element.length) = (ends[e], ends[e + 1] - ends[e]);
         for rank in 0..count {
-            element.values[slot(count, rank)] = self.fields(values, branch, e, rank);
+            element.values[slot(count, rank)] = self.fields(&at.values, branch, e, rank);
         }
         if let Some(known) = self.known() {
             known.put(self.order(), branch.first_element + e, &mut element.memories);
@@ -259,7 +278,7 @@ impl BeamTree {
         nodes: N,
         branch: &'a TreeBranch,
     ) -> Integration<'a, N, SPATIAL_FIELDS> {
-        let density: &dyn Integrand<SPATIAL_FIELDS> = &branch.density;
+        let density: &dyn Integrand<SPATIAL_FIELDS> = &*branch.density;
         Integration { nodes, basis: &self.basis, density, coupling: density.coupling(), symmetric: true }
     }
 

@@ -1,9 +1,11 @@
 //! A tree of beams as plain data, with the energy of the place and the rotation of a joint (what adheres a tip, for one), and why such a tree
 //! cannot be computed.
 
+use crate::beam::mesh::MeshPolicy;
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::rest::SpatialRestCurve;
+use crate::beam::spatial::rest::{BranchRest, SpatialRestCurve};
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
+use crate::beam::spatial::section::branch_sections::BranchSections;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
 use crate::solve::state::MONITORS;
@@ -19,13 +21,53 @@ pub struct Branch {
     /// Numbers of the joints at S = 0 and at S = `length`; either may be nearer to the root.
     pub joints: [usize; 2],
     /// The stress-free axis and directors, from S = 0 on
-    pub rest: SpatialRestCurve,
+    pub rest: BranchRest,
     /// nm
     pub length: f64,
-    /// The same all along
-    pub stiffness: SpatialStiffness,
-    /// How many, equally long
-    pub elements: usize,
+    /// What bends, and whether it adheres
+    pub sections: BranchSections,
+    /// Where its elements end
+    pub mesh: BranchMesh,
+}
+
+/// Where the elements of a branch end.
+#[derive(Clone, Debug)]
+pub enum BranchMesh {
+    /// At these S, nm: from 0 to the length, ascending
+    Fixed(Vec<f64>),
+    /// So many, which follow the peeling front and the edges of a branch that adheres
+    Following {
+        /// How they are laid out
+        policy: Arc<MeshPolicy>,
+        /// How many there are
+        elements: usize,
+    },
+}
+
+impl BranchMesh {
+    /// Elements of equal length.
+    pub fn even(length: f64, elements: usize) -> Self {
+        Self::Fixed((0..=elements).map(|k| length * k as f64 / elements as f64).collect())
+    }
+
+    /// How many there are.
+    pub fn elements(&self) -> usize {
+        match self {
+            Self::Fixed(ends) => ends.len().saturating_sub(1),
+            Self::Following { policy, elements } => policy.pieces.count().max(*elements),
+        }
+    }
+
+    /// Whether elements of two branches may be computed side by side.
+    pub(super) fn is_alike(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Fixed(one), Self::Fixed(other)) => one == other,
+            (Self::Following { policy: one, elements }, Self::Following { policy, elements: others }) => {
+                Arc::ptr_eq(one, policy) && elements == others
+            }
+            _ => false,
+        }
+    }
 }
 
 /// What is done to a joint.
@@ -87,8 +129,10 @@ impl Branch {
         let third = first.cross(&Vector3::from(width)).normalize();
         let directors = Rotation3::from_basis_unchecked(&[first, third.cross(&first), third]);
         let [x, y, z, w] = UnitQuaternion::from_rotation_matrix(&directors).coords.into();
-        let rest = SpatialRestCurve { start: from, directors: [w, x, y, z], curvature: [0.0; 3] };
-        Self { joints, rest, length: axis.norm(), stiffness, elements }
+        let rest = BranchRest::Curve(SpatialRestCurve { start: from, directors: [w, x, y, z], curvature: [0.0; 3] });
+        let length = axis.norm();
+        let mesh = BranchMesh::even(length, elements);
+        Self { joints, rest, length, sections: BranchSections::Uniform(stiffness), mesh }
     }
 
     /// Place (nm) and directors at rest where it ends, at S = `length`: where the next branch begins.
@@ -164,6 +208,12 @@ pub enum TreeError {
     /// A length or a number of elements of a branch.
     #[error("branch {branch} is {length} nm long and has {elements} elements: both have to be positive")]
     Length { branch: usize, length: f64, elements: usize },
+    /// Ends of elements that do not ascend from one end of the branch to the other.
+    #[error("the elements of branch {branch} end at S = {ends:?} nm: from 0 to its length, {length} nm, they have to ascend")]
+    Ends { branch: usize, length: f64, ends: Vec<f64> },
+    /// A mesh that follows a front that is not there.
+    #[error("the elements of branch {branch} follow a peeling front, and nothing adheres along it: give a fixed mesh")]
+    NoFront { branch: usize },
     /// A stiffness that is not positive definite, or a number that is not finite.
     #[error(
         "branch {branch}: the stiffness is not symmetric and positive definite, or a number of its rest curve is not finite: all of EA, GA, GJ and EI have to be positive"

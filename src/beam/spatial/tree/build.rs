@@ -1,7 +1,7 @@
 //! From a tree as plain data to one that can be eliminated, and what of it cannot be computed.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
-use super::branching_beam::{Branch, BranchingBeam, JointCondition, JointUnknown, TreeError};
+use super::branching_beam::{Branch, BranchMesh, BranchingBeam, JointCondition, JointUnknown, TreeError};
 use super::inside::inside_length;
 use super::topology::{Topology, schedule};
 use crate::beam::element::basis::{Basis, MOST_ORDER};
@@ -9,8 +9,7 @@ use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::chain::spatial_chain::SpatialEnd;
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
-use crate::beam::spatial::section::density::SpatialDensity;
-use crate::beam::spatial::section::spatial_profile::{SpatialProfile, Station};
+use crate::beam::spatial::section::spatial_profile::Station;
 use crate::beam::viscosity::Viscosity;
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
@@ -32,22 +31,28 @@ impl BranchingBeam {
         let at_rest: Vec<([f64; 3], Quaternion)> = (0..joints).map(|joint| self.at_rest(&topology, joint)).collect();
         self.check_meeting(&topology, &at_rest)?;
         self.check_conditions(&topology)?;
-        let (mut nodes, mut elements) = (joints, 0);
+        let (mut nodes, mut elements, mut boundaries) = (joints, 0, 0);
         let mut branches = Vec::with_capacity(self.branches.len());
         for (b, own) in self.branches.iter().enumerate() {
             branches.push(TreeBranch {
-                density: density(own),
+                density: own.sections.density(own.rest.curvature()),
+                adhering: own.sections.adhering().cloned(),
                 joints: own.joints,
                 near: topology.near[b],
                 offsets: std::array::from_fn(|end| offset(at_rest[own.joints[end]].1, end_of(own, end).1)),
                 length: own.length,
-                elements: own.elements,
+                elements: own.mesh.elements(),
+                mesh: own.mesh.clone(),
+                first_boundary: boundaries,
                 first_node: nodes,
                 first_element: elements,
-                rest: own.rest,
+                rest: own.rest.clone(),
             });
-            nodes += own.elements * self.order - 1;
-            elements += own.elements;
+            nodes += own.mesh.elements() * self.order - 1;
+            elements += own.mesh.elements();
+            if let BranchMesh::Following { .. } = own.mesh {
+                boundaries += own.mesh.elements() + 1;
+            }
         }
         let free = JointCondition::free(self.root);
         let root = self.conditions.iter().find(|condition| condition.joint == self.root).unwrap_or(&free);
@@ -100,14 +105,23 @@ impl BranchingBeam {
             return Err(TreeError::Order { order: self.order });
         }
         for (branch, own) in self.branches.iter().enumerate() {
-            let (length, elements) = (own.length, own.elements);
+            let (length, elements) = (own.length, own.mesh.elements());
             if !(length > 0.0 && length.is_finite() && elements > 0) {
                 return Err(TreeError::Length { branch, length, elements });
             }
-            let stiffness = Matrix6::from_fn(|i, j| own.stiffness.0[i][j]);
-            let curve = own.rest.start.iter().chain(&own.rest.directors).chain(&own.rest.curvature);
-            let is_finite = curve.into_iter().all(|number| number.is_finite());
-            if stiffness != stiffness.transpose() || stiffness.cholesky().is_none() || !is_finite {
+            match &own.mesh {
+                BranchMesh::Fixed(ends) => {
+                    let ascend = ends.windows(2).all(|pair| pair[0] < pair[1]);
+                    if !(ascend && ends[0] == 0.0 && ends[elements] == length) {
+                        return Err(TreeError::Ends { branch, length, ends: ends.clone() });
+                    }
+                }
+                BranchMesh::Following { .. } if own.sections.adhering().is_none() => {
+                    return Err(TreeError::NoFront { branch });
+                }
+                BranchMesh::Following { .. } => {}
+            }
+            if !is_stiff(own) {
                 return Err(TreeError::Stiffness { branch });
             }
         }
@@ -185,15 +199,20 @@ fn offset(joint: Quaternion, branch: Quaternion) -> Option<Quaternion> {
     (joint != branch).then(|| product(conjugate(joint), branch))
 }
 
-fn density(branch: &Branch) -> SpatialDensity {
-    let station = Station {
-        stiffness: branch.stiffness.0,
-        rest_curvature: branch.rest.curvature,
-        // nothing adheres along it
-        width: 0.0,
-        height: 0.0,
-    };
-    SpatialDensity { profile: SpatialProfile::Uniform(Box::new(station)), adhesion: None }
+/// Places along a branch at which it is looked at.
+const LOOKED_AT: usize = 8;
+
+/// Whether its stiffness is positive definite, and its curve finite, at a few places.
+fn is_stiff(branch: &Branch) -> bool {
+    let density = branch.sections.density(branch.rest.curvature());
+    (0..=LOOKED_AT).map(|k| branch.length * k as f64 / LOOKED_AT as f64).all(|place| {
+        let Station { stiffness, rest_curvature, .. } = density.profile.at(place);
+        let (start, directors) = branch.rest.at(place);
+        let stiffness = Matrix6::from_fn(|i, j| stiffness[i][j]);
+        let curve = start.iter().chain(&directors).chain(&rest_curvature);
+        let is_finite = curve.into_iter().all(|number| number.is_finite());
+        is_finite && stiffness == stiffness.transpose() && stiffness.cholesky().is_some()
+    })
 }
 
 fn end(own: &JointCondition, rest: Quaternion) -> TreeEnd {

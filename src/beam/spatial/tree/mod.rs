@@ -8,13 +8,13 @@
 //!
 //! Source of the order of elimination: S. Parter, The use of linear graphs in Gauss elimination, SIAM Rev. 3 (1961).
 
-mod back;
 pub(crate) mod beam_tree;
 pub(crate) mod branching_beam;
 pub(crate) mod build;
 pub(crate) mod factors;
 mod inside;
 mod joints;
+mod moving_mesh;
 pub(crate) mod read;
 pub(crate) mod sweep;
 mod topology;

@@ -29,12 +29,12 @@ pub struct BranchSection {
 
 impl BeamTree {
     /// Π: the stored energy with that of the joints and, less its work, of dead forces, aJ.
-    pub fn energy(&self, values: &[f64]) -> f64 {
+    pub fn energy(&self, at: &State) -> f64 {
         let (nodes, mut bundle) = (self.count(), Element::<F64x4, N>::zero());
-        let mut energy: f64 = (0..self.ends.len()).map(|end| self.own(values, end).energy).sum();
+        let mut energy: f64 = (0..self.ends.len()).map(|end| self.own(&at.values, end).energy).sum();
         for own in self.bundles.iter() {
             let lanes = self.lanes(own);
-            self.gather(values, &lanes, &mut bundle);
+            self.gather(at, &lanes, &mut bundle);
             let [total, ..] = bundle.energy(&self.integration(nodes, lanes[0].0), &no_values::<N>());
             energy += total.0[..own.count].iter().sum::<f64>();
         }
@@ -42,11 +42,11 @@ impl BeamTree {
     }
 
     /// The residual: the gradient of the energy less dead moments, and by how much what is held of tips is off.
-    pub(super) fn residual_of(&self, values: &[f64]) -> Vec<f64> {
-        let mut residual = self.forces(values);
+    pub(super) fn residual_of(&self, at: &State) -> Vec<f64> {
+        let mut residual = self.forces(at);
         for end in 0..self.ends.len() {
             let from = self.ends[end].joint * F;
-            for (f, off) in self.off(values, end).into_iter().enumerate() {
+            for (f, off) in self.off(&at.values, end).into_iter().enumerate() {
                 residual[from + f] = off.unwrap_or(residual[from + f]);
             }
         }
@@ -56,18 +56,18 @@ impl BeamTree {
     /// What holds each joint and each node in its place, by its unknowns: zero of what is free and in equilibrium, nN and nN·nm; of what is held
     /// or driven the reaction.
     pub fn reactions(&self, at: &State) -> Vec<f64> {
-        self.forces(&at.values)
+        self.forces(at)
     }
 
-    fn forces(&self, values: &[f64]) -> Vec<f64> {
+    fn forces(&self, at: &State) -> Vec<f64> {
         let (order, mut out) = (self.order(), vec![0.0; self.nodes * F]);
         for branch in self.branches.iter() {
             for e in 0..branch.elements {
-                let own = self.element_forces(values, branch, e);
+                let own = self.element_forces(at, branch, e);
                 for rank in 0..=order {
                     let mut by = own[slot(order + 1, rank)];
                     if let Some(end) = branch.end_at(order, e, rank) {
-                        let map = self.end_map(values, branch.joints[end], branch.offsets[end], [0.0; 3]);
+                        let map = self.end_map(&at.values, branch.joints[end], branch.offsets[end], [0.0; 3]);
                         by = map.map_or(by, |(map, _)| map.back(&by));
                     }
                     let from = branch.node(order, e, rank) * F;
@@ -76,15 +76,15 @@ impl BeamTree {
             }
         }
         for end in 0..self.ends.len() {
-            let (own, from) = (self.own(values, end), self.ends[end].joint * F);
+            let (own, from) = (self.own(&at.values, end), self.ends[end].joint * F);
             (0..F).for_each(|f| out[from + f] += own.gradient[f]);
         }
         out
     }
 
     /// The forces that hold an element in place, by the places and turns of its nodes in the directors of the branch.
-    fn element_forces(&self, values: &[f64], branch: &TreeBranch, e: usize) -> [[f64; F]; MOST_NODES] {
-        let (element, by) = (self.element(values, branch, e), self.integration(self.count(), branch));
+    fn element_forces(&self, at: &State, branch: &TreeBranch, e: usize) -> [[f64; F]; MOST_NODES] {
+        let (element, by) = (self.element(at, branch, e), self.integration(self.count(), branch));
         let forces = element.forces(&by);
         let mut out = [[0.0; F]; MOST_NODES];
         for a in 0..=self.order() {
@@ -97,7 +97,7 @@ impl BeamTree {
     pub fn section(&self, at: &State, branch: usize, boundary: usize) -> BranchSection {
         let (own, order) = (&self.branches[branch], self.order());
         let (e, rank, sign) = if boundary == 0 { (0, 0, -1.0) } else { (boundary.min(own.elements) - 1, order, 1.0) };
-        let forces = self.element_forces(&at.values, own, e)[slot(order + 1, rank)].map(|force| sign * force);
+        let forces = self.element_forces(at, own, e)[slot(order + 1, rank)].map(|force| sign * force);
         let mut node = self.fields(&at.values, own, e, rank);
         normalise(&mut node);
         let directors = quaternion_of(&node);
@@ -112,7 +112,7 @@ impl BeamTree {
     /// The tangent as entries (row, column, value), to be summed where they meet: for a general solver. Rows of what is held of tips are those
     /// of the identity.
     pub fn tangent_entries(&self, at: &State) -> Vec<(usize, usize, f64)> {
-        let (nodes, order, values) = (self.count(), self.order(), &at.values[..]);
+        let (nodes, order) = (self.count(), self.order());
         let (mut fields, mut front) = (Box::new(FieldFront::zero()), Box::new(SpatialFront::zero()));
         let (mut room, mut bundle) = (Box::<Responses<N>>::default(), Element::zero());
         let held = self.held_unknowns();
@@ -126,10 +126,10 @@ impl BeamTree {
             let by = self.integration(nodes, branch);
             for first in (0..branch.elements).step_by(BUNDLE) {
                 let lanes = self.lanes_of(branch, first);
-                self.gather(values, &lanes, &mut bundle);
+                self.gather(at, &lanes, &mut bundle);
                 bundle.integrate::<false>(&by, 0.0, &mut room, &mut fields);
                 project(nodes, &fields, &bundle.values, &mut front);
-                self.take_ends(nodes, values, &lanes, &mut front);
+                self.take_ends(nodes, &at.values, &lanes, &mut front);
                 for (l, &(_, e)) in lanes.iter().enumerate().take(branch.elements - first) {
                     let mut places = [0; MOST_NODES];
                     (0..=order).for_each(|rank| places[slot(order + 1, rank)] = branch.node(order, e, rank) * F);
@@ -147,7 +147,7 @@ impl BeamTree {
             }
         }
         for end in 0..self.ends.len() {
-            let (own, from) = (self.own(values, end), self.ends[end].joint * F);
+            let (own, from) = (self.own(&at.values, end), self.ends[end].joint * F);
             for i in 0..F {
                 (0..F).for_each(|j| add(from + i, from + j, own.tangent[i][j]));
             }

@@ -10,7 +10,7 @@ use crate::beam::spatial::chain::projection::{SpatialFront, project};
 use crate::beam::spatial::chain::sweep::LEAST_PIVOT;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::solve::error::{Place, Quantity, SolveError};
-use crate::solve::state::MONITORS;
+use crate::solve::state::{MONITORS, State};
 use crate::solve::system::NodalTerms;
 
 const F: usize = SPATIAL_UNKNOWNS;
@@ -30,8 +30,8 @@ pub struct CondensedTree {
 /// What is added to the equations.
 #[derive(Clone, Copy)]
 pub(super) struct Added<'a> {
-    /// To the diagonal, of places and of turns, per length
-    pub damping: [f64; 2],
+    /// To the diagonal, over what damps a branch per length: see [`BeamTree::damping`]
+    pub damping: f64,
     /// Of single unknowns
     pub nodal: NodalTerms<'a>,
 }
@@ -44,24 +44,25 @@ struct Count {
 }
 
 impl BeamTree {
-    /// Eliminates all but the root. `weights` are those of the monitors; `damping` is added to the diagonal, of places and of turns, per length.
+    /// Eliminates all but the root. `weights` are those of the monitors; `damping`, one over a pseudo-time, is added to the diagonal in the scales of
+    /// each branch.
     ///
     /// # Errors
     /// A pivot that is zero to rounding, a number that is not finite.
     pub fn eliminate(
         &self,
-        values: &[f64],
+        at: &State,
         weights: [f64; MONITORS],
-        damping: [f64; 2],
+        damping: f64,
         factors: &mut TreeFactors,
     ) -> Result<CondensedTree, SolveError> {
-        self.eliminate_with(values, weights, Added { damping, nodal: NodalTerms::NONE }, factors)
+        self.eliminate_with(at, weights, Added { damping, nodal: NodalTerms::NONE }, factors)
     }
 
     /// The same with whatever is added.
     pub(super) fn eliminate_with(
         &self,
-        values: &[f64],
+        at: &State,
         weights: [f64; MONITORS],
         added: Added,
         factors: &mut TreeFactors,
@@ -69,15 +70,15 @@ impl BeamTree {
         factors.resize(self.elements, self.bundles.len() * self.inside);
         let mut carries = std::mem::take(&mut factors.carries);
         let mut count =
-            Count { energy: self.load_joints(values, weights, &mut carries), negative: 0, least: f64::INFINITY };
+            Count { energy: self.load_joints(&at.values, weights, &mut carries), negative: 0, least: f64::INFINITY };
         if !added.nodal.stiffness.is_empty() {
-            self.load_with_inertia(values, added.nodal, &mut carries);
+            self.load_with_inertia(&at.values, added.nodal, &mut carries);
         }
         // the loops of the orders that are used where none is asked for, of setae and of trees, are compiled for them alone
         match self.order() {
-            2 => sweep::<Fixed<3>>(self, values, added, &mut carries, factors, &mut count),
-            3 => sweep::<Fixed<4>>(self, values, added, &mut carries, factors, &mut count),
-            _ => sweep::<AnyNumber>(self, values, added, &mut carries, factors, &mut count),
+            2 => sweep::<Fixed<3>>(self, at, added, &mut carries, factors, &mut count),
+            3 => sweep::<Fixed<4>>(self, at, added, &mut carries, factors, &mut count),
+            _ => sweep::<AnyNumber>(self, at, added, &mut carries, factors, &mut count),
         }?;
         let matrix = carries[self.root()];
         factors.carries = carries;
@@ -110,7 +111,7 @@ impl BeamTree {
     fn sweep_bundles(
         &self,
         nodes: impl Nodes,
-        values: &[f64],
+        at: &State,
         added: Added,
         carries: &mut [Carry],
         TreeFactors { inside, ends, below, front, field_front, room, .. }: &mut TreeFactors,
@@ -120,14 +121,14 @@ impl BeamTree {
         let mut block = EndBlock::zero();
         for (b, own) in self.bundles.iter().enumerate() {
             let lanes = self.lanes(own);
-            self.gather(values, &lanes, &mut bundle);
+            self.gather(at, &lanes, &mut bundle);
             let by = self.integration(nodes, lanes[0].0);
             let (energy, _) = bundle.integrate_gradient::<false>(&by, 0.0, room, field_front);
             self.products.assemble(nodes, &self.basis, &by.coupling, &bundle, room, field_front);
             project(nodes, field_front, &bundle.values, front);
-            self.take_ends(nodes, values, &lanes, front);
-            if added.damping != [0.0; 2] {
-                damp(nodes, front, added.damping, bundle.length.0);
+            self.take_ends(nodes, &at.values, &lanes, front);
+            if added.damping != 0.0 {
+                damp(nodes, front, self.damping(lanes[0].0).map(|own| added.damping * own), bundle.length.0);
             }
             if !added.nodal.stiffness.is_empty() {
                 self.load_inside(nodes, &lanes, added.nodal, front);
@@ -147,13 +148,13 @@ impl BeamTree {
                 }
                 block.unload(&carries[branch.far_joint()]);
                 if k == 0 {
-                    block.start(&[0.0; F], &self.joint_off(values, branch.far_joint()));
+                    block.start(&[0.0; F], &self.joint_off(&at.values, branch.far_joint()));
                 }
                 let (negative, least) = block.eliminate();
                 count.energy += energy.0[l];
                 count.negative += pivots.negative.0[l] as usize + negative;
                 let smallest = least.min(pivots.least.0[l]);
-                let place = Place { element: id, position: branch.boundary(e) };
+                let place = Place { element: id, position: branch.ends(&at.mesh)[e] };
                 if smallest < LEAST_PIVOT {
                     return Err(SolveError::Singular { pivot: smallest, place });
                 }
@@ -206,13 +207,13 @@ impl BeamTree {
 )]
 fn sweep<N: Nodes>(
     tree: &BeamTree,
-    values: &[f64],
+    at: &State,
     added: Added,
     carries: &mut [Carry],
     factors: &mut TreeFactors,
     count: &mut Count,
 ) -> Result<(), SolveError> {
-    tree.sweep_bundles(N::of_order(tree.basis.order), values, added, carries, factors, count)
+    tree.sweep_bundles(N::of_order(tree.basis.order), at, added, carries, factors, count)
 }
 
 /// Adds to the diagonals of four elements their part of a matrix that is `damping` times the length of each node.

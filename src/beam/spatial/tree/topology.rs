@@ -93,9 +93,9 @@ pub(super) fn schedule(branches: &[Branch], topology: &Topology) -> Vec<TreeBund
     let are_alike = |a: usize, b: usize| {
         let (one, other) = (&branches[a], &branches[b]);
         depths[a] == depths[b]
-            && one.elements == other.elements
-            && one.stiffness == other.stiffness
-            && one.rest.curvature == other.rest.curvature
+            && one.mesh.is_alike(&other.mesh)
+            && one.sections.is_alike(&other.sections)
+            && one.rest.curvature() == other.rest.curvature()
     };
     let inward: Vec<usize> = topology.outward.iter().rev().copied().collect();
     let (mut bundles, mut rest) = (Vec::new(), &inward[..]);
@@ -103,7 +103,7 @@ pub(super) fn schedule(branches: &[Branch], topology: &Topology) -> Vec<TreeBund
         let alike = rest.iter().take(BUNDLE).take_while(|&&other| are_alike(first, other)).count();
         let (group, behind) = rest.split_at(alike);
         rest = behind;
-        let elements = branches[first].elements;
+        let elements = branches[first].mesh.elements();
         if elements < alike * elements.div_ceil(BUNDLE) {
             for k in 0..elements {
                 let lanes: Vec<_> = group.iter().map(|&branch| (branch, k)).collect();

@@ -30,11 +30,11 @@ impl BeamTree {
     /// With a mass: of a branch, by its number, ρA, ρJ1 about the axis, ρJ2 about the width and ρJ3 about the height.
     pub fn with_inertia(&self, section: impl Fn(usize) -> [f64; 4]) -> Self {
         let mut nodes = vec![NodeInertia::default(); self.nodes];
-        let order = self.order();
+        let (order, mesh) = (self.order(), self.mesh_at_rest());
         for (b, branch) in self.branches.iter().enumerate() {
-            let [mass, moments @ ..] = section(b);
+            let ([mass, moments @ ..], ends) = (section(b), branch.ends(&mesh));
             for e in 0..branch.elements {
-                let length = branch.boundary(e + 1) - branch.boundary(e);
+                let length = ends[e + 1] - ends[e];
                 for rank in 0..=order {
                     let share = self.basis.lobatto_weight(slot(order + 1, rank)) * length;
                     let offset = branch.end_at(order, e, rank).and_then(|end| branch.offsets[end]);
@@ -189,14 +189,14 @@ impl DynamicSystem for BeamTree {
     }
 
     fn stored_energy(&self, at: &State) -> f64 {
-        self.strains(&at.values).iter().map(|point| point.stored).sum()
+        self.strains(at).iter().map(|point| point.stored).sum()
     }
 
     fn factorise_step(&self, at: &State, terms: &StepTerms, ws: &mut Workspace) -> Result<CondensedSystem, SolveError> {
         let tree = self.in_step(terms.rate);
         let nodal = if self.inertia.is_empty() { NodalTerms::NONE } else { terms.nodal };
-        let added = Added { damping: [0.0; 2], nodal };
-        let root = tree.eliminate_with(&at.values, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
+        let added = Added { damping: 0.0, nodal };
+        let root = tree.eliminate_with(at, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
         Ok(condensed(&root.matrix, (root.negative, root.least_pivot), tree.evaluation(at, root.energy)))
     }
 
@@ -204,7 +204,7 @@ impl DynamicSystem for BeamTree {
         if !self.viscosity.is_viscous() {
             return Vec::new();
         }
-        self.strains(&at.values).into_iter().flat_map(|point| point.strains).collect()
+        self.strains(at).into_iter().flat_map(|point| point.strains).collect()
     }
 
     fn memory(&self, at: &State, rate: &MaterialRate) -> Vec<f64> {
@@ -212,6 +212,6 @@ impl DynamicSystem for BeamTree {
     }
 
     fn viscous_power(&self, at: &State, rate: &MaterialRate) -> ViscousPower {
-        self.viscosity.power_in(rate, || [self.in_step(rate).energy(&at.values), self.energy(&at.values)])
+        self.viscosity.power_in(rate, || [self.in_step(rate).energy(at), self.energy(at)])
     }
 }

@@ -1,17 +1,16 @@
 //! The tree of beams as a [`System`]: what a solver asks of it. Its interface is the root.
 
-use super::beam_tree::{ANGLES, BeamTree};
+use super::beam_tree::{ANGLES, BeamTree, TreeBranch};
 use super::branching_beam::JointUnknown;
 use super::factors::TreeFactors;
 use super::sweep::Added;
-use crate::beam::element::basis::slot;
 use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
-use crate::beam::spatial::rotation::{Quaternion, apply_transposed};
+use crate::beam::spatial::rotation::apply_transposed;
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use crate::beam::spatial::shared_system::{condensed, node_difference, step_node, weighted_sum};
+use crate::beam::spatial::shared_system::{condensed, node_difference, step_node};
 use crate::solve::error::SolveError;
-use crate::solve::state::{MONITORS, Mesh, State};
+use crate::solve::state::{MONITORS, Mesh, State, weighted_sum};
 use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
 use crate::solve::workspace::Workspace;
 
@@ -37,10 +36,17 @@ impl BeamTree {
         Evaluation { energy, monitors: self.monitors.map(|unknown| unknown.map_or(0.0, value)), recorded: 0.0 }
     }
 
-    /// Damping of places and of turns per length: energy of 1 nN times length over a scale squared, over a time.
-    fn damping(&self, coefficients: Coefficients) -> [f64; 2] {
-        let time = coefficients.per_damping;
-        if time.is_infinite() { [0.0; 2] } else { self.scale.map(|scale| 1.0 / (scale * scale * time)) }
+    /// Damping of places and of turns of a branch per length and in a unit of time: its energy per length, of 1 nN where nothing adheres, over a scale
+    /// squared.
+    pub(super) fn damping(&self, branch: &TreeBranch) -> [f64; 2] {
+        match &branch.adhering {
+            None => self.scale.map(|scale| 1.0 / (scale * scale)),
+            Some(sections) => {
+                let lying = &sections.lying;
+                let turn = (lying.gap_scale / lying.process_length).min(1.0);
+                [lying.gap_scale, turn].map(|scale| lying.energy.abs() / (scale * scale))
+            }
+        }
     }
 
     /// Makes the quaternions of a state's values ones of length one, those of ends with angles the ones that these say.
@@ -54,48 +60,9 @@ impl BeamTree {
         }
     }
 
-    /// Values in the stress-free configuration.
-    fn rest_values(&self) -> Vec<f64> {
-        self.values_along(|joint| self.at_rest[joint], |branch, s| self.branches[branch].rest.at(s))
-    }
-
-    /// A state whose joints, and sections of branches at S (nm), have these places and directors. Nothing says that it is in equilibrium. Angles
-    /// of ends are zero.
-    pub fn laid_along(
-        &self,
-        joint: impl Fn(usize) -> ([f64; 3], Quaternion),
-        section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
-    ) -> State {
-        State { values: self.values_along(joint, section), mesh: Mesh::default(), force: 0.0, history: None }
-    }
-
-    fn values_along(
-        &self,
-        joint: impl Fn(usize) -> ([f64; 3], Quaternion),
-        section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
-    ) -> Vec<f64> {
-        let mut values = vec![0.0; self.nodes * N + self.ends.len() * ANGLES];
-        let mut put = |node: usize, (place, q): ([f64; 3], Quaternion)| {
-            values[node * N..node * N + 3].copy_from_slice(&place);
-            values[node * N + 3..(node + 1) * N].copy_from_slice(&q);
-        };
-        (0..self.joints()).for_each(|own| put(own, joint(own)));
-        let (order, last) = (self.order(), self.order() + 1);
-        for (b, branch) in self.branches.iter().enumerate() {
-            for e in 0..branch.elements {
-                for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
-                    let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
-                    let (from, to) = (branch.boundary(e), branch.boundary(e + 1));
-                    put(branch.node(order, e, rank), section(b, from + share * (to - from)));
-                }
-            }
-        }
-        values
-    }
-
     /// Values of the interface in the stress-free configuration: where displacements of the root are zero.
     pub fn interface_at_rest(&self) -> [f64; INTERFACE] {
-        self.end_values(&self.rest_values(), 0)
+        self.end_values(&self.stress_free(0).values, 0)
     }
 }
 
@@ -131,9 +98,9 @@ impl System for BeamTree {
         weights: [f64; MONITORS],
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
-        let damping = self.damping(coefficients);
-        let added = Added { damping, nodal: NodalTerms::NONE };
-        let root = self.eliminate_with(&at.values, weights, added, ws.factors::<TreeFactors>())?;
+        // of an infinite time there is none
+        let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE };
+        let root = self.eliminate_with(at, weights, added, ws.factors::<TreeFactors>())?;
         Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
     }
 
@@ -152,7 +119,7 @@ impl System for BeamTree {
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
         let rate = |unknown: JointUnknown| direction[unknown.joint * F + unknown.slot];
         let monitors = self.monitors.map(|unknown| unknown.map_or(0.0, rate));
-        (self.evaluation(at, self.energy(&at.values)), Rates { monitors, recorded: 0.0 })
+        (self.evaluation(at, self.energy(at)), Rates { monitors, recorded: 0.0 })
     }
 
     fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
@@ -166,7 +133,7 @@ impl System for BeamTree {
     }
 
     fn residual(&self, at: &State) -> Vec<f64> {
-        self.residual_of(&at.values)
+        self.residual_of(at)
     }
 
     fn retract(&self, at: &mut State, direction: &[f64], factor: f64) {
@@ -208,26 +175,56 @@ impl System for BeamTree {
         *out = self.difference(&self.combine(states, weights), reached);
     }
 
-    fn size(&self, direction: &[f64], _: &State) -> f64 {
+    fn size(&self, direction: &[f64], at: &State) -> f64 {
         let (mut largest, mut sum) = (0.0f64, 0.0);
-        for (k, step) in direction.iter().enumerate() {
-            let size = step.abs() / self.scale[k % F / 3];
-            sum += size;
-            largest = largest.max(size);
+        for (step, unit) in direction.chunks_exact(F).zip(self.place_units(at)) {
+            for f in 0..F {
+                let size = step[f].abs() / if f < 3 { unit } else { self.scale[1] };
+                sum += size;
+                largest = largest.max(size);
+            }
         }
         if f64::is_finite(sum) { largest } else { f64::NAN }
     }
 
-    fn per_unit(&self, _: &State) -> Vec<f64> {
-        (0..self.nodes * F).map(|k| 1.0 / self.scale[k % F / 3]).collect()
+    fn per_unit(&self, at: &State) -> Vec<f64> {
+        let turn = 1.0 / self.scale[1];
+        let of = |unit: f64| [1.0 / unit, 1.0 / unit, 1.0 / unit, turn, turn, turn];
+        self.place_units(at).into_iter().flat_map(of).collect()
     }
 
     fn stress_free(&self, _: usize) -> State {
-        State { values: self.rest_values(), mesh: Mesh::default(), force: 0.0, history: None }
+        self.laid_along(|joint| self.at_rest[joint], |branch, s| self.branches[branch].rest.at(s))
+    }
+
+    fn refocused(&self, at: &State, _: [f64; MONITORS]) -> State {
+        self.resampled(at, self.mesh_near(&self.follows(at), &at.mesh))
+    }
+
+    fn mesh_for(&self, _: [f64; MONITORS], follows: &[f64], like: &Mesh) -> Mesh {
+        self.mesh_near(follows, like)
+    }
+
+    fn aligned(&self, at: &State, _: [f64; MONITORS]) -> State {
+        self.shifted(at, self.mesh_near(&self.follows(at), &at.mesh))
+    }
+
+    fn remeshed(&self, at: &State) -> Option<State> {
+        let follows = self.follows(at);
+        self.has_moved(&follows, &at.mesh).then(|| self.resampled(at, self.mesh_near(&follows, &at.mesh)))
     }
 
     /// Every joint and node moved and turned alike, by `size`.
     fn disturbance(&self, at: &State, size: f64) -> Vec<f64> {
         (0..self.unknowns(at)).map(|k| size * self.scale[k % F / 3]).collect()
+    }
+
+    /// No node of a branch that adheres is in the ground.
+    fn is_admissible(&self, at: &State) -> bool {
+        let mut is_above = true;
+        self.each_adhering(at, |_, sections, lowest| {
+            is_above &= sections.barrier().clearance(lowest) > 0.0;
+        });
+        is_above
     }
 }

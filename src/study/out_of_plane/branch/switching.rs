@@ -209,9 +209,9 @@ pub(super) fn embedded(
     front: f64,
     elements: usize,
 ) -> State {
-    let at_front = on_mesh((planar, at), spatial, spatial.mesh_at(front, [0.0; 2], elements));
+    let at_front = on_mesh((planar, at), spatial, spatial.mesh_at(front, &[0.0; 2], elements));
     let edges = spatial.edges(&at_front, front);
-    if edges == [0.0; 2] { at_front } else { on_mesh((planar, at), spatial, spatial.mesh_at(front, edges, elements)) }
+    if edges == [0.0; 2] { at_front } else { on_mesh((planar, at), spatial, spatial.mesh_at(front, &edges, elements)) }
 }
 
 /// The same on a mesh.

@@ -13,7 +13,7 @@ use crate::solve::error::SolveError;
 use crate::solve::path::predictor::{lagrange_weights, longest_step};
 use crate::solve::points::search::{BendRule, FoundLimitPoint, LimitPointSearch};
 use crate::solve::problem::Problem;
-use crate::solve::state::{Mesh, Observables, State};
+use crate::solve::state::{Mesh, Observables, State, weighted_sum};
 use crate::solve::workspace::Workspace;
 use crate::study::asked::accuracy::ORDER;
 use crate::study::peel::along_path::work::power;
@@ -105,7 +105,7 @@ impl Known {
         let FoundLimitPoint { solution, ahead, .. } = fold;
         let own = solution.aligned(problem);
         let mut equilibrium = State {
-            mesh: Mesh { boundaries: solution.at.mesh.boundaries.clone(), ..own.mesh },
+            mesh: Mesh { boundaries: solution.at.mesh.boundaries.clone(), ..own.mesh.clone() },
             values: own.values.clone(),
             force: 0.0,
             history: solution.at.history.clone(),
@@ -134,7 +134,7 @@ impl Known {
         ws: &mut Workspace,
     ) -> Result<FoundLimitPoint, SolveError> {
         let from = &self.equilibrium;
-        let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, from.mesh.edges, &from.mesh));
+        let (beam, mesh) = (&problem.beam, problem.beam.mesh_near(from.mesh.focus, &from.mesh.follows, &from.mesh));
         let at = beam.system().on_elements(&State { mesh, ..from.clone() }, elements);
         search(problem, kind, self.target).run(at, self.target, BendRule::Difference { neighbour: None }, ws)
     }
@@ -271,18 +271,19 @@ impl<'m> Continuation<'m> {
         let used: Vec<&Known> = self.history.iter().rev().take(count).collect();
         let labels: Vec<f64> = used.iter().map(|known| known.at - newest.at).collect();
         let weights = lagrange_weights(&labels, at - newest.at);
-        let (mut focus, mut edges, mut force, mut target) = (0.0, [0.0; 2], 0.0, 0.0);
+        let (mut focus, mut force, mut target) = (0.0, 0.0, 0.0);
         for (known, weight) in used.iter().zip(&weights) {
             let mesh = &known.equilibrium.mesh;
             focus += weight * mesh.focus;
-            (0..edges.len()).for_each(|k| edges[k] += weight * mesh.edges[k]);
             force += weight * known.equilibrium.force;
             target += weight * known.target;
         }
+        let follows: Vec<&[f64]> = used.iter().map(|known| &*known.equilibrium.mesh.follows).collect();
+        let follows = weighted_sum(&follows, &weights);
         // along the way a pull can become vertical: there the beam has no axial force among its unknowns
         let values: Vec<_> = used.iter().map(|known| problem.beam.adopted(&known.equilibrium)).collect();
         let states: Vec<&[f64]> = values.iter().map(|values| &**values).collect();
-        let mesh = problem.beam.mesh_near(focus, edges, &newest.equilibrium.mesh);
+        let mesh = problem.beam.mesh_near(focus, &follows, &newest.equilibrium.mesh);
         let sum = State { mesh, values: problem.system.combine(&states, &weights), force, history: None };
         (sum, target)
     }

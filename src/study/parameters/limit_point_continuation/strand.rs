@@ -123,7 +123,7 @@ impl Sweep<'_> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let (beam, known) = (&problem.beam, &located.solution.at);
         let front = located.observables.monitors[FRONT];
-        let mesh = Mesh { focus: known.mesh.focus, ..beam.mesh_at(front, known.mesh.edges, elements) };
+        let mesh = Mesh { focus: known.mesh.focus, ..beam.mesh_at(front, &known.mesh.follows, elements) };
         let at = beam.resampled(known, mesh);
         let sampling = search(&problem, self.kind, 1.0);
         let target = sampling.weights.dot(&located.observables);

@@ -1,0 +1,229 @@
+//! The branches of a tree over the ground: how a state is laid out along them, how far their nodes are from it, and meshes that follow their fronts.
+//!
+//! The elements of a branch that adheres may follow its peeling front and the edges of its sections, as those of a beam in space: the mesh of a state
+//! has the boundaries of one such branch behind those of another, and follows three numbers of each, its front and the two edges from there.
+
+use super::beam_tree::{ANGLES, BeamTree, TreeBranch};
+use super::branching_beam::BranchMesh;
+use crate::beam::element::basis::slot;
+use crate::beam::element::integration::{BUNDLE, Element};
+use crate::beam::mesh::MeshPolicy;
+use crate::beam::spatial::above_ground::LettingGo;
+use crate::beam::spatial::chain::fields_along::FieldsAlong;
+use crate::beam::spatial::chain::spatial_chain::no_values;
+use crate::beam::spatial::rotation::Quaternion;
+use crate::beam::spatial::section::branch_sections::AdheringSections;
+use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
+use crate::number::F64x4;
+use crate::solve::state::{Mesh, State};
+
+const N: usize = SPATIAL_FIELDS;
+/// Numbers that the mesh of a branch follows.
+const FOLLOWED: usize = 3;
+/// The mesh is renewed when a front has moved by this share of its process zone.
+const MOVED: f64 = 0.3;
+
+/// A branch whose mesh follows its front.
+struct Following<'a> {
+    branch: &'a TreeBranch,
+    policy: &'a MeshPolicy,
+    sections: &'a AdheringSections,
+    /// Where its numbers begin in [`Mesh::follows`]
+    first: usize,
+}
+
+impl<'a> Following<'a> {
+    fn new(branch: &'a TreeBranch) -> Option<Self> {
+        match (&branch.mesh, &branch.adhering) {
+            (BranchMesh::Following { policy, .. }, Some(sections)) => Some(Self { branch, policy, sections, first: 0 }),
+            _ => None,
+        }
+    }
+}
+
+impl BeamTree {
+    /// The branches whose meshes follow their fronts.
+    fn following(&self) -> impl Iterator<Item = Following<'_>> {
+        let found = self.branches.iter().filter_map(Following::new).enumerate();
+        found.map(|(k, own)| Following { first: FOLLOWED * k, ..own })
+    }
+
+    /// The mesh in the stress-free configuration.
+    pub(super) fn mesh_at_rest(&self) -> Mesh {
+        let mut follows = Vec::new();
+        for Following { branch, .. } in self.following() {
+            follows.extend([branch.rest.front_at_rest(branch.length), 0.0, 0.0]);
+        }
+        self.mesh_near(&follows, &Mesh::default())
+    }
+
+    /// The mesh that follows these numbers, found faster near to another one.
+    pub(super) fn mesh_near(&self, follows: &[f64], near: &Mesh) -> Mesh {
+        let mut boundaries = Vec::with_capacity(near.boundaries.len());
+        for Following { branch, policy, first, .. } in self.following() {
+            let BranchMesh::Following { elements, .. } = branch.mesh else { continue };
+            let counts = policy.pieces.shared_out(elements);
+            let near = near.boundaries.get(branch.first_boundary..=branch.first_boundary + branch.elements);
+            let front = branch.rest.place_of_front(follows[first], branch.length);
+            boundaries.extend(policy.ends(Some(front), &follows[first + 1..first + FOLLOWED], &counts, near.unwrap_or(&[])));
+        }
+        Mesh { boundaries, focus: 0.0, follows: follows.to_vec() }
+    }
+
+    /// What the mesh of a state is to follow.
+    pub(super) fn follows(&self, at: &State) -> Vec<f64> {
+        let mut follows = Vec::with_capacity(at.mesh.follows.len());
+        for Following { branch, sections, .. } in self.following() {
+            let front = self.coverage(at, branch) / sections.lying.energy;
+            let place = branch.rest.place_of_front(front, branch.length);
+            let own = LettingGo {
+                profile: &sections.profile,
+                shape: sections.law.shape(),
+                gap_scale: sections.lying.gap_scale,
+                gap: sections.lying.gap,
+            };
+            let fields = self.along(at, branch);
+            let (order, ends) = (self.order(), branch.ends(&at.mesh));
+            let places = fields.chunks_exact(N).enumerate().map(|(k, node)| {
+                let e = (k / order).min(branch.elements - 1);
+                (self.place(ends, e, k - e * order), node)
+            });
+            let [one, other] = own.edges(places).map(|edge| edge - place);
+            follows.extend([front, one, other]);
+        }
+        follows
+    }
+
+    /// Whether a front has moved so far from where a mesh follows it that this is to be another.
+    pub(super) fn has_moved(&self, follows: &[f64], mesh: &Mesh) -> bool {
+        let mut all = self.following();
+        all.any(|Following { branch, sections, first, .. }| {
+            let place = |front: f64| branch.rest.place_of_front(front, branch.length);
+            let moved = place(follows[first]) - place(mesh.follows[first]);
+            moved.abs() > MOVED * sections.lying.process_length
+        })
+    }
+
+    /// A state on a mesh that is a little beside its own.
+    pub(super) fn shifted(&self, at: &State, mesh: Mesh) -> State {
+        self.on_mesh(at, mesh, |from, ends| from.shifted(ends))
+    }
+
+    /// A state read off on another mesh.
+    pub(super) fn resampled(&self, at: &State, mesh: Mesh) -> State {
+        self.on_mesh(at, mesh, |from, ends| from.resampled(ends))
+    }
+
+    fn on_mesh(&self, at: &State, mesh: Mesh, read: impl Fn(&FieldsAlong, &[f64]) -> Vec<f64>) -> State {
+        let mut next = State { mesh, ..at.clone() };
+        for Following { branch, .. } in self.following() {
+            let fields = self.along(at, branch);
+            let from = FieldsAlong { basis: &self.basis, boundaries: branch.ends(&at.mesh), fields: &fields };
+            let read = read(&from, branch.ends(&next.mesh));
+            // its ends stay where they are
+            let inside = &read[N..read.len() - N];
+            next.values[branch.first_node * N..][..inside.len()].copy_from_slice(inside);
+        }
+        next
+    }
+
+    /// The fields of the nodes of a branch in its own directors, from S = 0 on.
+    fn along(&self, at: &State, branch: &TreeBranch) -> Vec<f64> {
+        let order = self.order();
+        let nodes = 0..=branch.elements * order;
+        let own = nodes.flat_map(|k| {
+            let e = (k / order).min(branch.elements - 1);
+            self.fields(&at.values, branch, e, k - e * order)
+        });
+        own.collect()
+    }
+
+    /// S of a node of an element.
+    fn place(&self, ends: &[f64], e: usize, rank: usize) -> f64 {
+        let share = 0.5 * (1.0 + self.basis.nodes[slot(self.order() + 1, rank)]);
+        ends[e] + share * (ends[e + 1] - ends[e])
+    }
+
+    /// What adheres of a branch: its energy, each section of it as far as its axis covers the ground, aJ.
+    fn coverage(&self, at: &State, branch: &TreeBranch) -> f64 {
+        let (mut sum, mut bundle) = (0.0, Element::<F64x4, N>::zero());
+        let by = self.integration(self.count(), branch);
+        for first in (0..branch.elements).step_by(BUNDLE) {
+            self.gather(at, &self.lanes_of(branch, first), &mut bundle);
+            let [_, coverage, _] = bundle.energy(&by, &no_values::<N>());
+            sum += coverage.0[..BUNDLE.min(branch.elements - first)].iter().sum::<f64>();
+        }
+        sum
+    }
+
+    /// A state whose joints, and sections of branches at S (nm), have these places and directors. Nothing says that it is in equilibrium. Angles
+    /// of ends are zero.
+    pub fn laid_along(
+        &self,
+        joint: impl Fn(usize) -> ([f64; 3], Quaternion),
+        section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
+    ) -> State {
+        let mesh = self.mesh_at_rest();
+        let mut values = vec![0.0; self.nodes * N + self.ends.len() * ANGLES];
+        let mut put = |node: usize, (place, q): ([f64; 3], Quaternion)| {
+            values[node * N..node * N + 3].copy_from_slice(&place);
+            values[node * N + 3..(node + 1) * N].copy_from_slice(&q);
+        };
+        (0..self.joints()).for_each(|own| put(own, joint(own)));
+        let (order, last) = (self.order(), self.order() + 1);
+        for (b, branch) in self.branches.iter().enumerate() {
+            let ends = branch.ends(&mesh);
+            for e in 0..branch.elements {
+                for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
+                    let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
+                    let (from, to) = (ends[e], ends[e + 1]);
+                    put(branch.node(order, e, rank), section(b, from + share * (to - from)));
+                }
+            }
+        }
+        State { values, mesh, force: 0.0, history: None }
+    }
+
+    /// What the places of the nodes are measured by, nm: by the scale of the tree, or, where a branch adheres, by how far the lowest point of the
+    /// section is from where it is at rest, and the gap scale of the law, if that is less.
+    pub(super) fn place_units(&self, at: &State) -> Vec<f64> {
+        let mut units = vec![self.scale[0]; self.nodes];
+        self.each_adhering(at, |node, sections, lowest| {
+            let own = sections.lying.gap_scale + (lowest - sections.lying.gap).abs();
+            units[node] = units[node].min(own);
+        });
+        units
+    }
+
+    /// Distance of a branch that adheres from the ground, nm: of the lowest points of the sections at its nodes.
+    pub fn nearest(&self, at: &State, branch: usize) -> f64 {
+        let (own, mut nearest) = (&self.branches[branch], f64::INFINITY);
+        self.each_adhering_of(at, own, |_, _, lowest| nearest = nearest.min(lowest));
+        nearest
+    }
+
+    /// The nodes of the branches that adhere, with the height of the lowest point of their sections, nm.
+    pub(super) fn each_adhering(&self, at: &State, mut look: impl FnMut(usize, &AdheringSections, f64)) {
+        self.branches.iter().for_each(|branch| self.each_adhering_of(at, branch, &mut look));
+    }
+
+    /// Those of one branch.
+    fn each_adhering_of(
+        &self,
+        at: &State,
+        branch: &TreeBranch,
+        mut look: impl FnMut(usize, &AdheringSections, f64),
+    ) {
+        let (order, last) = (self.order(), self.order() + 1);
+        let Some(sections) = &branch.adhering else { return };
+        let ends = branch.ends(&at.mesh);
+        for e in 0..branch.elements {
+            let (from, to) = (ends[e], ends[e + 1]);
+            for rank in usize::from(e > 0)..last {
+                let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
+                let lowest = sections.lowest(from + share * (to - from), &self.fields(&at.values, branch, e, rank));
+                look(branch.node(order, e, rank), sections, lowest);
+            }
+        }
+    }
+}
