@@ -49,7 +49,7 @@ pub use spatial::section_state::{GripReactions, SpatialIntegrals, SpatialSection
 pub use spatial::spatial_beam::{SpatialBeam, SpatialInertia};
 pub use spatial::tree::beam_tree::BeamTree;
 pub use spatial::tree::branching_beam::{
-    Branch, BranchMesh, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError,
+    Branch, BranchMesh, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError, TreeMonitor,
 };
 pub use spatial::tree::factors::TreeFactors;
 pub use spatial::tree::read::BranchSection;

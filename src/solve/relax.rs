@@ -25,12 +25,14 @@ pub struct RelaxOptions {
     pub largest_update: f64,
     /// Most steps that are taken, and most that are tried, before it is given up.
     pub most_steps: usize,
+    /// The energy is known to this share of its own: of a sum of parts that are much larger, more than the machine's.
+    pub round_off: f64,
 }
 
 impl RelaxOptions {
     /// Steps that move at most so much, and three times as many as a jump has been found to take: 6694, of a spatula that rolls off its edge.
     pub const fn by(largest_update: f64) -> Self {
-        Self { largest_update, most_steps: 20_000 }
+        Self { largest_update, most_steps: 20_000, round_off: ROUND_OFF }
     }
 }
 
@@ -95,6 +97,17 @@ pub enum RelaxError {
     Stopped { steps: usize, energy: f64 },
 }
 
+impl RelaxError {
+    /// What of it a solver says.
+    pub fn cause(self) -> SolveError {
+        match self {
+            Self::Stuck { cause, .. } => cause,
+            Self::Endless { steps, .. } => SolveError::NotConverged { update: f64::NAN, iterations: steps },
+            Self::Stopped { .. } => SolveError::Stopped,
+        }
+    }
+}
+
 /// First Δt; times grow from there.
 const FIRST: f64 = 1e-2;
 /// Growth of Δt after a small step, and what is left of it after one that was refused.
@@ -134,6 +147,39 @@ pub fn relax(
     options: &RelaxOptions,
     ws: &mut Workspace,
 ) -> Result<Relaxed, RelaxError> {
+    match relax_until(problem, start, held, options, ws, |_| false)? {
+        Relaxation::Rest(relaxed) => Ok(relaxed),
+        Relaxation::Left { steps, energy, .. } => Err(RelaxError::Endless { steps, energy }),
+    }
+}
+
+/// How a relaxation that is watched ends.
+#[derive(Clone, Debug)]
+pub enum Relaxation {
+    /// In a stable equilibrium.
+    Rest(Relaxed),
+    /// On its way, where the watch said so.
+    Left {
+        /// Where it is, which is no equilibrium
+        at: State,
+        /// Steps taken
+        steps: usize,
+        /// Eliminations, of steps that were refused as well
+        eliminations: usize,
+        /// Π there, aJ
+        energy: f64,
+    },
+}
+
+/// The same up to the first state on the way that `leaves`.
+pub fn relax_until(
+    problem: &Problem,
+    start: State,
+    held: Held,
+    options: &RelaxOptions,
+    ws: &mut Workspace,
+    mut leaves: impl FnMut(&State) -> bool,
+) -> Result<Relaxation, RelaxError> {
     let constraint = held.constraint();
     let energy_of = |at: &State| energy_of(problem, at, held);
     let mut at = held_at(problem, start, held);
@@ -141,11 +187,13 @@ pub fn relax(
     let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
     while steps < options.most_steps && eliminations < TRIES * options.most_steps {
         let energy = energies[energies.len() - 1];
+        // what it may be wrong by
+        let slack = options.round_off * (energy.abs() + 1e-3);
         if ws.is_stopped() {
             return Err(RelaxError::Stopped { steps, energy });
         }
-        if let Some(solution) = landed(problem, &at, energy, held, ws, &mut eliminations) {
-            return Ok(Relaxed { solution, energies, steps, eliminations });
+        if let Some(solution) = landed(problem, &at, (energy, slack), held, ws, &mut eliminations) {
+            return Ok(Relaxation::Rest(Relaxed { solution, energies, steps, eliminations }));
         }
         let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
         let mut next = at.clone();
@@ -155,7 +203,7 @@ pub fn relax(
                 if held.negative(negative) == 0
                     && size <= options.largest_update
                     && problem.system.is_admissible(&next)
-                    && energy_of(&next) <= energy + slack(energy) =>
+                    && energy_of(&next) <= energy + slack =>
             {
                 Ok(size)
             }
@@ -179,6 +227,9 @@ pub fn relax(
             at = moved;
         }
         energies.push(energy_of(&at));
+        if leaves(&at) {
+            return Ok(Relaxation::Left { at, steps, eliminations, energy: energies[energies.len() - 1] });
+        }
     }
     Err(RelaxError::Endless { steps, energy: energies[energies.len() - 1] })
 }
@@ -200,7 +251,7 @@ pub fn relaxed_on_more_elements(
 fn landed(
     problem: &Problem,
     at: &State,
-    energy: f64,
+    (energy, slack): (f64, f64),
     held: Held,
     ws: &mut Workspace,
     eliminations: &mut usize,
@@ -219,15 +270,11 @@ fn landed(
     };
     let solution = solved(FINE, ws).or_else(|_| solved(SINGULAR, ws)).ok()?;
     *eliminations += solution.iterations;
-    let lower = energy_of(problem, &solution.at, held) <= energy + slack(energy);
+    let lower = energy_of(problem, &solution.at, held) <= energy + slack;
     let negative = held.negative((solution.negative, solution.negative_load));
     (negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)
 }
 
-/// What an energy may be wrong by.
-fn slack(energy: f64) -> f64 {
-    ROUND_OFF * (energy.abs() + 1e-3)
-}
 
 /// What falls: the energy of a configuration, whether in equilibrium or not, less P u of a held force, aJ.
 fn energy_of(problem: &Problem, at: &State, held: Held) -> f64 {

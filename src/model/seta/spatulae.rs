@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// No turn
 const AS_IT_IS: Quaternion = [1.0, 0.0, 0.0, 0.0];
 
+/// Scales of an error away from the ground: of a place, nm, and of a turn, rad. A spatula that lets go moves by hundreds of nm.
+const SCALE: [f64; 2] = [100.0, 0.3];
+
 /// A seta with its spatulae.
 #[derive(Clone, Debug)]
 pub struct SetaOfBeams {
@@ -37,6 +40,11 @@ impl SetaOfBeams {
     pub fn foot(&self) -> f64 {
         let ([_, height, _], _) = self.spatula.rest.at(self.spatula.length);
         height
+    }
+
+    /// How near to the ground a spatula adheres, nm.
+    pub fn reach(&self) -> f64 {
+        self.spatula.sections.law.law().adhering_distance()
     }
 
     /// Number of the branch that is the spatula of a tip.
@@ -59,6 +67,7 @@ impl SetaOfBeams {
         let joints = self.seta.joints();
         beam.branches.extend((0..self.seta.tips()).map(|tip| self.branch(joints, tip)));
         beam.conditions = vec![JointCondition::free(0)];
+        beam.scale = SCALE;
         Ok(beam.build()?)
     }
 

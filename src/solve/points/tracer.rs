@@ -69,6 +69,17 @@ pub enum TraceError {
     NoBranching { from: f64, to: f64, cause: SolveError },
 }
 
+impl TraceError {
+    /// What of it a solver says.
+    pub fn cause(self) -> SolveError {
+        match self {
+            Self::Path(PathError { cause, .. })
+            | Self::NotLocated { cause, .. }
+            | Self::NoBranching { cause, .. } => cause,
+        }
+    }
+}
+
 /// A path being traced: an iterator over its events.
 pub struct PathTracer<'p> {
     problem: &'p Problem,

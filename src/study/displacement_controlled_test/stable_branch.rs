@@ -12,6 +12,7 @@ use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::{Located, locate};
 use crate::solve::points::search::LimitPointKind;
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
+use crate::solve::problem::Problem;
 use crate::solve::relax::RelaxError;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::Workspace;
@@ -222,7 +223,7 @@ impl Machine<'_> {
         let mut segment = PathSegment::around(self.problem, path.points(), before);
         let label = segment.insert(last.clone());
         let mut leg = self.leg(&path.points()[..=before], end, path.iterations());
-        leg.add(&StepCurve::pieces(self.problem, &segment, label, &last, &mut Workspace::default()));
+        leg.add(&StepCurve::pieces(self.worked(), &segment, label, &last, &mut Workspace::default()));
         leg.points.push(last);
         leg
     }
@@ -232,9 +233,14 @@ impl Machine<'_> {
         let mut segment = PathSegment::around(self.problem, &leg.points, after);
         let label = segment.insert(last.clone());
         let mut cut = self.leg(&leg.points[..=after], end, leg.iterations);
-        cut.add(&StepCurve::pieces(self.problem, &segment, label, &last, &mut Workspace::default()));
+        cut.add(&StepCurve::pieces(self.worked(), &segment, label, &last, &mut Workspace::default()));
         cut.points.push(last);
         cut
+    }
+
+    /// The problem, and a scale of its works, aJ.
+    fn worked(&self) -> (&Problem, f64) {
+        (self.problem, self.problem.measure.force * self.problem.beam.length())
     }
 
     fn leg(&self, points: &[Arc<Solution>], end: BranchEnd, iterations: usize) -> StableBranch {
@@ -244,7 +250,7 @@ impl Machine<'_> {
         let mut ws = Workspace::default();
         for index in 0..points.len().saturating_sub(1) {
             let segment = PathSegment::around(self.problem, points, index);
-            leg.add(&StepCurve::pieces(self.problem, &segment, segment.end(), &points[index + 1], &mut ws));
+            leg.add(&StepCurve::pieces(self.worked(), &segment, segment.end(), &points[index + 1], &mut ws));
         }
         leg
     }

@@ -48,7 +48,7 @@ pub(super) fn settled_on_ground(
     let elements = elements + A_PIECE * (beam.mesh.pieces.count() - 1) as f64;
     let guess = guess(beam, ground, elements as usize);
     let (options, mut ws) =
-        (RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS }, Workspace::until(should_stop.clone()));
+        (RelaxOptions { most_steps: MOST_STEPS, ..RelaxOptions::by(RELAXING) }, Workspace::until(should_stop.clone()));
     let mut relaxed = |from| {
         let relaxed = relax(problem, from, Held::Force(0.0), &options, &mut ws);
         relaxed.map(|relaxed| relaxed.solution.at)
@@ -150,7 +150,7 @@ pub(super) fn settle_in_space(model: &PeelModel, problem: &mut BeamProblem, shou
     if problem.beam.spatial().is_none() || !matches!(problem.start, InitialState::Settling) {
         return;
     }
-    let options = RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS };
+    let options = RelaxOptions { most_steps: MOST_STEPS, ..RelaxOptions::by(RELAXING) };
     let mut ws = Workspace::until(should_stop.clone());
     let elements = elements(model, problem);
     // on half as many elements first: on the others it is then next to where it comes to rest

@@ -176,7 +176,7 @@ fn relaxed(
     let displacement = falling.displacement(&start);
     let mut ws = Workspace::until(should_stop.clone());
     let mut at_rest = |from: State| {
-        let options = RelaxOptions { largest_update: RELAXING, most_steps: MOST_STEPS };
+        let options = RelaxOptions { most_steps: MOST_STEPS, ..RelaxOptions::by(RELAXING) };
         relax(falling, from, Held::Displacement(displacement), &options, &mut ws).map(|relaxed| relaxed.solution.at)
     };
     let at = at_rest(disturbed_anyhow(falling, &start))?;

@@ -7,12 +7,12 @@
 use super::equilibrium_path::path_end::Followed;
 use super::solution_history::LimitPoint;
 use crate::beam::element::basis::Basis;
-use crate::model::problem::beam_problem::BeamProblem;
 use crate::solve::newton::Solution;
 use crate::solve::path::predictor::lagrange_weights;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::{Located, ROUGH, step_to};
 use crate::solve::points::search::LimitPointKind;
+use crate::solve::problem::Problem;
 use crate::solve::state::Observables;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
@@ -173,51 +173,50 @@ pub(in crate::study) struct StepCurve {
 
 impl StepCurve {
     /// The step behind `points[index]`.
-    pub fn behind(problem: &BeamProblem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
+    pub fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
         let segment = PathSegment::around(problem, points, index);
         Self::until(problem, &segment, segment.end(), &points[index + 1], ws)
     }
 
     /// From the first point of a segment to a solution at the label `to` of it.
-    pub fn until(problem: &BeamProblem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
+    pub fn until(problem: &Problem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
         Self::between(problem, &mut segment.clone(), [(0.0, &segment.first()), (to, end)], ws)
     }
 
-    /// The same in pieces, halved where one curve would not be certain of its work.
+    /// The same in pieces, halved where one curve would not be certain of its work, by a scale of works, aJ.
     pub fn pieces(
-        problem: &BeamProblem,
+        (problem, scale): (&Problem, f64),
         segment: &PathSegment,
         to: f64,
         end: &Solution,
         ws: &mut Workspace,
     ) -> Vec<Self> {
         let mut known = segment.clone();
-        Self::halved(problem, &mut known, [(0.0, &segment.first()), (to, end)], MOST_HALVINGS, ws)
+        Self::halved((problem, scale), &mut known, [(0.0, &segment.first()), (to, end)], MOST_HALVINGS, ws)
     }
 
     fn halved(
-        problem: &BeamProblem,
+        (problem, scale): (&Problem, f64),
         known: &mut PathSegment,
         [from, to]: [(f64, &Solution); 2],
         halvings: usize,
         ws: &mut Workspace,
     ) -> Vec<Self> {
         let curve = Self::between(problem, known, [from, to], ws);
-        let scale = problem.measure.force * problem.beam.length();
         if halvings == 0 || !curve.is_uncertain(scale) {
             return vec![curve];
         }
         let label = 0.5 * (from.0 + to.0);
         let Ok(middle) = step_to(problem, known, from.0, label, ROUGH, ws) else { return vec![curve] };
-        let mut pieces = Self::halved(problem, known, [from, (label, &middle)], halvings - 1, ws);
-        pieces.extend(Self::halved(problem, known, [(label, &middle), to], halvings - 1, ws));
+        let mut pieces = Self::halved((problem, scale), known, [from, (label, &middle)], halvings - 1, ws);
+        pieces.extend(Self::halved((problem, scale), known, [(label, &middle), to], halvings - 1, ws));
         pieces
     }
 
     /// Between two solutions at labels of a segment, which takes in those that are found between them: where the force has a corner, each half
     /// of a step begins from them. Where one cannot be found, the interpolants stand in that the segment has by itself.
     fn between(
-        problem: &BeamProblem,
+        problem: &Problem,
         known: &mut PathSegment,
         [(from, start), (to, end)]: [(f64, &Solution); 2],
         ws: &mut Workspace,

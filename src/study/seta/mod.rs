@@ -9,6 +9,7 @@ mod gradient_flow;
 mod knot;
 pub(super) mod loading;
 mod loss;
+pub(super) mod of_beams;
 pub(super) mod rest;
 pub(super) mod result;
 pub(super) mod run;

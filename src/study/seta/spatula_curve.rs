@@ -91,9 +91,10 @@ pub fn tip_curve(spatula: &PeelModel, accuracy: &Accuracy, pressed: f64) -> Resu
 /// mesh of each.
 fn sampled(problem: &BeamProblem, points: &[Arc<Solution>], pressed: f64) -> Vec<CurvePoint> {
     let (mut curve, mut ws) = (Vec::new(), Workspace::default());
+    let scale = problem.measure.force * problem.beam.length();
     for index in 0..points.len() - 1 {
         let segment = PathSegment::around(problem, points, index);
-        for piece in StepCurve::pieces(problem, &segment, segment.end(), &points[index + 1], &mut ws) {
+        for piece in StepCurve::pieces((problem, scale), &segment, segment.end(), &points[index + 1], &mut ws) {
             for k in usize::from(!curve.is_empty())..=INSIDE {
                 let (u, du, force, df) = piece.at(2.0 * k as f64 / INSIDE as f64 - 1.0);
                 curve.push(CurvePoint { displacement: u - pressed, force, slope: df / du });

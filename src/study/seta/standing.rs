@@ -3,7 +3,7 @@
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::beam::spatial::tree::beam_tree::BeamTree;
-use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse, JointCondition, JointUnknown};
+use crate::beam::spatial::tree::branching_beam::{EndEnergy, EndResponse, JointCondition, JointUnknown, TreeMonitor};
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::{AdheringTip, TipBranch};
@@ -86,6 +86,22 @@ impl EndEnergy for ConvexTip {
     }
 }
 
+/// A tree in the grip that moves its root; its path is measured by the force, of this scale, nN.
+pub(super) fn grip_of(tree: Arc<BeamTree>, drive: &RootDrive, force: f64) -> Problem {
+    let mut origin = [0.0; INTERFACE];
+    for k in 0..3 {
+        origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
+    }
+    let mut held = [true; INTERFACE];
+    held[0] = false;
+    Problem {
+        grip: EndConditions { held, origin, ..EndConditions::drive(0) },
+        system: tree,
+        measure: PathMeasure { monitors: [f64::INFINITY; 2], force, beside: MeasuredBeside::Force },
+        start: InitialState::StressFree,
+    }
+}
+
 impl Standing {
     pub fn new(model: &SetaModel, on: TipBranch) -> Result<Self, SetaError> {
         let seta = &model.seta;
@@ -120,23 +136,12 @@ impl Standing {
             (seta.tip_joint(tip), energy)
         };
         let tree = self.tree.with_energies(self.tips.iter().enumerate().map(energy));
-        tree.with_root_axes(drive.axes).with_monitors([watched, None])
+        tree.with_root_axes(drive.axes).with_monitors([watched.map(TreeMonitor::Joint), None])
     }
 
     /// A tree in the grip that moves its root.
     pub fn problem_of(&self, tree: Arc<BeamTree>, drive: &RootDrive) -> Problem {
-        let mut origin = [0.0; INTERFACE];
-        for k in 0..3 {
-            origin[k] = (0..3).map(|i| drive.axes[i][k] * drive.from[i]).sum();
-        }
-        let mut held = [true; INTERFACE];
-        held[0] = false;
-        Problem {
-            grip: EndConditions { held, origin, ..EndConditions::drive(0) },
-            system: tree,
-            measure: PathMeasure { monitors: [f64::INFINITY; 2], force: 1.0, beside: MeasuredBeside::Force },
-            start: InitialState::StressFree,
-        }
+        grip_of(tree, drive, 1.0)
     }
 
     /// Place and directors of a tip in a state.

@@ -1,6 +1,6 @@
 //! A tree of beams that can be eliminated: its branches, its nodes, and how a state lays them out.
 
-use super::branching_beam::{BranchMesh, EndEnergy, JointUnknown};
+use super::branching_beam::{BranchMesh, EndEnergy, TreeMonitor};
 use super::topology::TreeBundle;
 use crate::beam::element::basis::{AnyNumber, Basis, Nodes, slot};
 use crate::beam::element::integrand::Integrand;
@@ -20,6 +20,8 @@ use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
 
+/// z among the unknowns of a joint.
+pub(super) const ASIDE: usize = 2;
 /// Angles of an end in a state.
 pub(super) const ANGLES: usize = 3;
 
@@ -50,7 +52,9 @@ pub struct BeamTree {
     pub(super) elements: usize,
     /// Numbers that the elimination of an element's interior leaves
     pub(super) inside: usize,
-    pub(super) monitors: [Option<JointUnknown>; MONITORS],
+    /// Joints at which a branch that adheres ends freely
+    pub(super) pads: Arc<[usize]>,
+    pub(super) monitors: [Option<TreeMonitor>; MONITORS],
     pub(super) scale: [f64; 2],
     /// Of each node; empty where it does not count
     pub(super) inertia: Arc<[NodeInertia]>,
@@ -347,6 +351,20 @@ impl BeamTree {
         tree
     }
 
+    /// With adhesion along the branches that adhere as far as `adheres` says so of their numbers: the others are beams on their own until then.
+    pub fn with_adhesion(&self, adheres: impl Fn(usize) -> bool) -> Self {
+        let mut tree = self.clone();
+        let branches = Arc::make_mut(&mut tree.branches);
+        for (b, branch) in branches.iter_mut().enumerate() {
+            let Some(sections) = &branch.adhering else { continue };
+            let law = adheres(b).then_some(sections.law);
+            if branch.density.adhesion.is_some() != law.is_some() {
+                branch.density = Arc::new(SpatialDensity { adhesion: law, ..(*branch.density).clone() });
+            }
+        }
+        tree
+    }
+
     /// With the place of the root counted along other axes, which are the columns, of length one and at right angles.
     pub fn with_root_axes(&self, axes: Matrix3) -> Self {
         let mut tree = self.clone();
@@ -379,7 +397,7 @@ impl BeamTree {
     }
 
     /// With other monitors; the last three unknowns of a joint are there with angles alone.
-    pub fn with_monitors(&self, monitors: [Option<JointUnknown>; MONITORS]) -> Self {
+    pub fn with_monitors(&self, monitors: [Option<TreeMonitor>; MONITORS]) -> Self {
         Self { monitors, ..self.clone() }
     }
 }

@@ -97,6 +97,23 @@ pub struct JointUnknown {
     pub slot: usize,
 }
 
+/// What measures a path of a tree beside its displacement and its force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeMonitor {
+    /// An unknown of a joint
+    Joint(JointUnknown),
+    /// The length that adheres, of all branches, nm: the sum of their fronts
+    AdheringLength,
+    /// The mean place along z of what lets go, nm: of the joints at which a branch that adheres ends freely
+    PadsAside,
+}
+
+impl From<JointUnknown> for TreeMonitor {
+    fn from(unknown: JointUnknown) -> Self {
+        Self::Joint(unknown)
+    }
+}
+
 /// A tree of beams.
 #[derive(Clone, Debug)]
 pub struct BranchingBeam {
@@ -109,7 +126,7 @@ pub struct BranchingBeam {
     /// Order p of the elements, 1 to 8
     pub order: usize,
     /// What measures a path beside its displacement and its force
-    pub monitors: [Option<JointUnknown>; MONITORS],
+    pub monitors: [Option<TreeMonitor>; MONITORS],
     /// Scales of an error: of a place (nm), and of a turn (rad)
     pub scale: [f64; 2],
 }

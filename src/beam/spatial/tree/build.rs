@@ -1,7 +1,7 @@
 //! From a tree as plain data to one that can be eliminated, and what of it cannot be computed.
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
-use super::branching_beam::{Branch, BranchMesh, BranchingBeam, JointCondition, JointUnknown, TreeError};
+use super::branching_beam::{Branch, BranchMesh, BranchingBeam, JointCondition, JointUnknown, TreeError, TreeMonitor};
 use super::inside::inside_length;
 use super::topology::{Topology, schedule};
 use crate::beam::element::basis::{Basis, MOST_ORDER};
@@ -68,6 +68,11 @@ impl BranchingBeam {
                 lane_of[branches[branch].first_element + branches[branch].inwards(k)] = [b, l];
             }
         }
+        let is_pad = |joint: &usize| {
+            let ends = |&b: &usize| self.branches[b].sections.adhering().is_some();
+            *joint != self.root && end_of[*joint].is_none() && topology.meeting[*joint].len() == 1 && topology.meeting[*joint].iter().all(ends)
+        };
+        let pads: Vec<usize> = (0..joints).filter(is_pad).collect();
         let basis = Basis::new(self.order);
         Ok(BeamTree {
             bundles: bundles.into(),
@@ -82,6 +87,7 @@ impl BranchingBeam {
             nodes,
             elements,
             inside: inside_length(self.order),
+            pads: pads.into(),
             monitors: self.monitors,
             scale: self.scale,
             inertia: Arc::default(),
@@ -163,7 +169,8 @@ impl BranchingBeam {
             }
             check_axes(own)?;
         }
-        for JointUnknown { joint, slot } in self.monitors.into_iter().flatten() {
+        for monitor in self.monitors.into_iter().flatten() {
+            let TreeMonitor::Joint(JointUnknown { joint, slot }) = monitor else { continue };
             let condition = self.conditions.iter().find(|own| own.joint == joint);
             let angles = condition.map_or(joint == self.root, |own| own.rotation == EndRotation::Angles);
             if joint > last || slot > 5 || (slot > 2 && !angles) {

@@ -4,7 +4,7 @@
 //! has the boundaries of one such branch behind those of another, and follows three numbers of each, its front and the two edges from there.
 
 use super::beam_tree::{ANGLES, BeamTree, TreeBranch};
-use super::branching_beam::BranchMesh;
+use super::branching_beam::{BranchMesh, TreeMonitor};
 use crate::beam::element::basis::slot;
 use crate::beam::element::integration::{BUNDLE, Element};
 use crate::beam::mesh::MeshPolicy;
@@ -15,7 +15,8 @@ use crate::beam::spatial::rotation::Quaternion;
 use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
 use crate::number::F64x4;
-use crate::solve::state::{Mesh, State};
+use crate::solve::state::{MONITORS, Mesh, State};
+use std::sync::Arc;
 
 const N: usize = SPATIAL_FIELDS;
 /// Numbers that the mesh of a branch follows.
@@ -144,6 +145,14 @@ impl BeamTree {
         ends[e] + share * (ends[e + 1] - ends[e])
     }
 
+    /// The weight of that length among those of the monitors.
+    pub(super) fn weight_of_adhering(&self, weights: [f64; MONITORS]) -> f64 {
+        let of = |(monitor, weight): (&Option<TreeMonitor>, f64)| {
+            if *monitor == Some(TreeMonitor::AdheringLength) { weight } else { 0.0 }
+        };
+        self.monitors.iter().zip(weights).map(of).sum()
+    }
+
     /// What adheres of a branch: its energy, each section of it as far as its axis covers the ground, aJ.
     fn coverage(&self, at: &State, branch: &TreeBranch) -> f64 {
         let (mut sum, mut bundle) = (0.0, Element::<F64x4, N>::zero());
@@ -184,9 +193,9 @@ impl BeamTree {
         State { values, mesh, force: 0.0, history: None }
     }
 
-    /// What the places of the nodes are measured by, nm: by the scale of the tree, or, where a branch adheres, by how far the lowest point of the
-    /// section is from where it is at rest, and the gap scale of the law, if that is less.
-    pub(super) fn place_units(&self, at: &State) -> Vec<f64> {
+    /// What the heights of the nodes are measured by, nm: by the scale of the tree, or, where a branch adheres, by how far the lowest point of the
+    /// section is from where it is at rest, and the gap scale of the law, if that is less. Along the ground nothing changes as they slide.
+    pub(super) fn height_units(&self, at: &State) -> Vec<f64> {
         let mut units = vec![self.scale[0]; self.nodes];
         self.each_adhering(at, |node, sections, lowest| {
             let own = sections.lying.gap_scale + (lowest - sections.lying.gap).abs();
@@ -195,11 +204,33 @@ impl BeamTree {
         units
     }
 
-    /// Distance of a branch that adheres from the ground, nm: of the lowest points of the sections at its nodes.
+    /// Distance of a branch that adheres from the ground, nm: of the lowest points of its sections, at its nodes and at the Gauss points between them; infinite of one
+    /// that does not.
     pub fn nearest(&self, at: &State, branch: usize) -> f64 {
-        let (own, mut nearest) = (&self.branches[branch], f64::INFINITY);
-        self.each_adhering_of(at, own, |_, _, lowest| nearest = nearest.min(lowest));
+        let (own, order) = (&self.branches[branch], self.order());
+        let (Some(sections), mut nearest) = (&own.adhering, f64::INFINITY) else { return f64::INFINITY };
+        let ends = own.ends(&at.mesh);
+        for e in 0..own.elements {
+            let element = self.element(at, own, e);
+            for rank in 0..=order {
+                let fields = &element.values[slot(order + 1, rank)];
+                nearest = nearest.min(sections.lowest(self.place(ends, e, rank), fields));
+            }
+            for q in 0..order {
+                let point = element.point(self.count(), &self.basis, q);
+                nearest = nearest.min(sections.lowest(point.place, &point.value));
+            }
+        }
         nearest
+    }
+
+    /// Whether no branch that adheres is where its law has no place for it.
+    pub(super) fn is_above_ground(&self, at: &State) -> bool {
+        self.branches.iter().enumerate().all(|(b, branch)| {
+            let clearance = |own: &Arc<AdheringSections>| own.barrier().clearance(self.nearest(at, b));
+            let own = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some());
+            own.is_none_or(|own| clearance(own) > 0.0)
+        })
     }
 
     /// The nodes of the branches that adhere, with the height of the lowest point of their sections, nm.

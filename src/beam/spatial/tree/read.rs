@@ -28,17 +28,26 @@ pub struct BranchSection {
 }
 
 impl BeamTree {
-    /// Π: the stored energy with that of the joints and, less its work, of dead forces, aJ.
+    /// Π: the stored energy and that of adhesion, with that of the joints and, less its work, of dead forces, aJ.
     pub fn energy(&self, at: &State) -> f64 {
+        self.energies(at)[0]
+    }
+
+    /// The same, and the length that adheres, of all branches, nm.
+    pub(super) fn energies(&self, at: &State) -> [f64; 2] {
         let (nodes, mut bundle) = (self.count(), Element::<F64x4, N>::zero());
         let mut energy: f64 = (0..self.ends.len()).map(|end| self.own(&at.values, end).energy).sum();
+        let mut adhering = 0.0;
         for own in self.bundles.iter() {
             let lanes = self.lanes(own);
             self.gather(at, &lanes, &mut bundle);
-            let [total, ..] = bundle.energy(&self.integration(nodes, lanes[0].0), &no_values::<N>());
+            let [total, coverage, _] = bundle.energy(&self.integration(nodes, lanes[0].0), &no_values::<N>());
             energy += total.0[..own.count].iter().sum::<f64>();
+            if let Some(sections) = &lanes[0].0.adhering {
+                adhering += coverage.0[..own.count].iter().sum::<f64>() / sections.lying.energy;
+            }
         }
-        energy
+        [energy, adhering]
     }
 
     /// The residual: the gradient of the energy less dead moments, and by how much what is held of tips is off.
@@ -60,20 +69,10 @@ impl BeamTree {
     }
 
     fn forces(&self, at: &State) -> Vec<f64> {
-        let (order, mut out) = (self.order(), vec![0.0; self.nodes * F]);
+        let mut out = vec![0.0; self.nodes * F];
         for branch in self.branches.iter() {
-            for e in 0..branch.elements {
-                let own = self.element_forces(at, branch, e);
-                for rank in 0..=order {
-                    let mut by = own[slot(order + 1, rank)];
-                    if let Some(end) = branch.end_at(order, e, rank) {
-                        let map = self.end_map(&at.values, branch.joints[end], branch.offsets[end], [0.0; 3]);
-                        by = map.map_or(by, |(map, _)| map.back(&by));
-                    }
-                    let from = branch.node(order, e, rank) * F;
-                    (0..F).for_each(|f| out[from + f] += by[f]);
-                }
-            }
+            let by = self.integration(self.count(), branch);
+            self.add_forces(at, (branch, 1.0), |element| element.forces(&by), &mut out);
         }
         for end in 0..self.ends.len() {
             let (own, from) = (self.own(&at.values, end), self.ends[end].joint * F);
@@ -82,15 +81,58 @@ impl BeamTree {
         out
     }
 
-    /// The forces that hold an element in place, by the places and turns of its nodes in the directors of the branch.
-    fn element_forces(&self, at: &State, branch: &TreeBranch, e: usize) -> [[f64; F]; MOST_NODES] {
-        let (element, by) = (self.element(at, branch, e), self.integration(self.count(), branch));
-        let forces = element.forces(&by);
-        let mut out = [[0.0; F]; MOST_NODES];
-        for a in 0..=self.order() {
-            out[a] = projected(&forces[a], &turn_to_quaternion(quaternion_of(&element.values[a])));
+    /// By how much the length that adheres changes with each unknown.
+    pub(super) fn adhering_gradient(&self, at: &State) -> Vec<f64> {
+        let mut out = vec![0.0; self.nodes * F];
+        for branch in self.branches.iter() {
+            let Some(sections) = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some()) else { continue };
+            let by = self.integration(self.count(), branch);
+            let weight = 1.0 / sections.lying.energy;
+            self.add_forces(at, (branch, weight), |element| element.coverage_forces(&by), &mut out);
         }
         out
+    }
+
+    /// Adds what the elements of a branch say of the fields of their nodes, times a weight, by the unknowns.
+    fn add_forces(
+        &self,
+        at: &State,
+        (branch, weight): (&TreeBranch, f64),
+        of: impl Fn(&Element<f64, N>) -> [[f64; N]; MOST_NODES],
+        out: &mut [f64],
+    ) {
+        let order = self.order();
+        for e in 0..branch.elements {
+            let own = self.by_turns(&self.element(at, branch, e), &of);
+            for rank in 0..=order {
+                let mut by = own[slot(order + 1, rank)];
+                if let Some(end) = branch.end_at(order, e, rank) {
+                    let map = self.end_map(&at.values, branch.joints[end], branch.offsets[end], [0.0; 3]);
+                    by = map.map_or(by, |(map, _)| map.back(&by));
+                }
+                let from = branch.node(order, e, rank) * F;
+                (0..F).for_each(|f| out[from + f] += weight * by[f]);
+            }
+        }
+    }
+
+    /// Numbers by the places and turns of the nodes of an element, in the directors of the branch, of those by their fields.
+    fn by_turns(
+        &self,
+        element: &Element<f64, N>,
+        of: impl Fn(&Element<f64, N>) -> [[f64; N]; MOST_NODES],
+    ) -> [[f64; F]; MOST_NODES] {
+        let (fields, mut out) = (of(element), [[0.0; F]; MOST_NODES]);
+        for a in 0..=self.order() {
+            out[a] = projected(&fields[a], &turn_to_quaternion(quaternion_of(&element.values[a])));
+        }
+        out
+    }
+
+    /// The forces that hold an element in place.
+    fn element_forces(&self, at: &State, branch: &TreeBranch, e: usize) -> [[f64; F]; MOST_NODES] {
+        let by = self.integration(self.count(), branch);
+        self.by_turns(&self.element(at, branch, e), |element| element.forces(&by))
     }
 
     /// The section at an end of an element of a branch, 0 at S = 0, from nodal forces: as accurate as the energy.

@@ -1,6 +1,7 @@
 //! The elimination, from the tips to the root.
 
-use super::beam_tree::{BeamTree, TreeBranch};
+use super::beam_tree::{ASIDE, BeamTree, TreeBranch};
+use super::branching_beam::TreeMonitor;
 use super::factors::TreeFactors;
 use super::inside::pack;
 use crate::beam::element::basis::{AnyNumber, Fixed, Nodes, slot};
@@ -25,6 +26,8 @@ pub struct CondensedTree {
     pub least_pivot: f64,
     /// Before the update, aJ
     pub energy: f64,
+    /// The length that adheres, of all branches, before the update, nm
+    pub adhering: f64,
 }
 
 /// What is added to the equations.
@@ -34,11 +37,14 @@ pub(super) struct Added<'a> {
     pub damping: f64,
     /// Of single unknowns
     pub nodal: NodalTerms<'a>,
+    /// To the path row: the weight of the length that adheres, 1/nm
+    pub adhering: f64,
 }
 
 /// What an elimination counts on its way.
 struct Count {
     energy: f64,
+    adhering: f64,
     negative: usize,
     least: f64,
 }
@@ -56,7 +62,7 @@ impl BeamTree {
         damping: f64,
         factors: &mut TreeFactors,
     ) -> Result<CondensedTree, SolveError> {
-        self.eliminate_with(at, weights, Added { damping, nodal: NodalTerms::NONE }, factors)
+        self.eliminate_with(at, weights, Added { damping, nodal: NodalTerms::NONE, adhering: 0.0 }, factors)
     }
 
     /// The same with whatever is added.
@@ -67,10 +73,17 @@ impl BeamTree {
         added: Added,
         factors: &mut TreeFactors,
     ) -> Result<CondensedTree, SolveError> {
+        let adhering = self.weight_of_adhering(weights);
+        let added = Added { adhering, ..added };
         factors.resize(self.elements, self.bundles.len() * self.inside);
         let mut carries = std::mem::take(&mut factors.carries);
         let mut count =
-            Count { energy: self.load_joints(&at.values, weights, &mut carries), negative: 0, least: f64::INFINITY };
+            Count {
+                energy: self.load_joints(&at.values, weights, &mut carries),
+                adhering: 0.0,
+                negative: 0,
+                least: f64::INFINITY,
+            };
         if !added.nodal.stiffness.is_empty() {
             self.load_with_inertia(&at.values, added.nodal, &mut carries);
         }
@@ -78,11 +91,13 @@ impl BeamTree {
         match self.order() {
             2 => sweep::<Fixed<3>>(self, at, added, &mut carries, factors, &mut count),
             3 => sweep::<Fixed<4>>(self, at, added, &mut carries, factors, &mut count),
+            5 => sweep::<Fixed<6>>(self, at, added, &mut carries, factors, &mut count),
             _ => sweep::<AnyNumber>(self, at, added, &mut carries, factors, &mut count),
         }?;
         let matrix = carries[self.root()];
         factors.carries = carries;
-        Ok(CondensedTree { matrix, negative: count.negative, least_pivot: count.least, energy: count.energy })
+        let Count { energy, adhering, negative, least } = count;
+        Ok(CondensedTree { matrix, negative, least_pivot: least, energy, adhering })
     }
 
     /// What joints have of their own; their energy.
@@ -99,8 +114,12 @@ impl BeamTree {
             }
         }
         for (monitor, weight) in self.monitors.iter().zip(weights) {
-            if let Some(unknown) = monitor {
-                carries[unknown.joint][F][unknown.slot] += weight;
+            match monitor {
+                Some(TreeMonitor::Joint(unknown)) => carries[unknown.joint][F][unknown.slot] += weight,
+                Some(TreeMonitor::PadsAside) => {
+                    self.pads.iter().for_each(|&pad| carries[pad][F][ASIDE] += weight / self.pads.len() as f64);
+                }
+                Some(TreeMonitor::AdheringLength) | None => {}
             }
         }
         energy
@@ -123,7 +142,9 @@ impl BeamTree {
             let lanes = self.lanes(own);
             self.gather(at, &lanes, &mut bundle);
             let by = self.integration(nodes, lanes[0].0);
-            let (energy, _) = bundle.integrate_gradient::<false>(&by, 0.0, room, field_front);
+            let per_energy = lanes[0].0.adhering.as_ref().map_or(0.0, |own| 1.0 / own.lying.energy);
+            let (energy, coverage) =
+                bundle.integrate_gradient::<false>(&by, added.adhering * per_energy, room, field_front);
             self.products.assemble(nodes, &self.basis, &by.coupling, &bundle, room, field_front);
             project(nodes, field_front, &bundle.values, front);
             self.take_ends(nodes, &at.values, &lanes, front);
@@ -152,6 +173,7 @@ impl BeamTree {
                 }
                 let (negative, least) = block.eliminate();
                 count.energy += energy.0[l];
+                count.adhering += per_energy * coverage.0[l];
                 count.negative += pivots.negative.0[l] as usize + negative;
                 let smallest = least.min(pivots.least.0[l]);
                 let place = Place { element: id, position: branch.ends(&at.mesh)[e] };
@@ -217,13 +239,13 @@ fn sweep<N: Nodes>(
 }
 
 /// Adds to the diagonals of four elements their part of a matrix that is `damping` times the length of each node.
-fn damp(nodes: impl Nodes, front: &mut SpatialFront, damping: [f64; 2], lengths: [f64; BUNDLE]) {
+fn damp(nodes: impl Nodes, front: &mut SpatialFront, damping: [f64; F], lengths: [f64; BUNDLE]) {
     let (count, inner) = (nodes.count(), nodes.count() - 2);
     for a in 0..count {
         let share = if a < inner { 1.0 } else { 0.5 } / (count - 1) as f64;
         for f in 0..F {
             for l in 0..BUNDLE {
-                front.rows[a][f].fields[a][f].0[l] += share * damping[f / 3] * lengths[l];
+                front.rows[a][f].fields[a][f].0[l] += share * damping[f] * lengths[l];
             }
         }
     }

@@ -1,7 +1,7 @@
 //! The tree of beams as a [`System`]: what a solver asks of it. Its interface is the root.
 
-use super::beam_tree::{ANGLES, BeamTree, TreeBranch};
-use super::branching_beam::JointUnknown;
+use super::beam_tree::{ANGLES, ASIDE, BeamTree, TreeBranch};
+use super::branching_beam::{JointUnknown, TreeMonitor};
 use super::factors::TreeFactors;
 use super::sweep::Added;
 use crate::beam::spatial::chain::read::normalise;
@@ -27,26 +27,34 @@ const ROOT: [Unknown; 6] = [
 ];
 
 impl BeamTree {
-    pub(super) fn evaluation(&self, at: &State, energy: f64) -> Evaluation {
-        let value = |unknown: JointUnknown| {
-            self.end_of[unknown.joint].map_or(at.values[unknown.joint * N + unknown.slot.min(2)], |end| {
-                self.end_values(&at.values, end)[unknown.slot]
-            })
+    pub(super) fn evaluation(&self, at: &State, [energy, adhering]: [f64; 2]) -> Evaluation {
+        let value = |monitor: TreeMonitor| match monitor {
+            TreeMonitor::AdheringLength => adhering,
+            TreeMonitor::PadsAside => self.mean_of_pads(|pad| at.values[pad * N + ASIDE]),
+            TreeMonitor::Joint(JointUnknown { joint, slot }) => self.end_of[joint]
+                .map_or(at.values[joint * N + slot.min(2)], |end| self.end_values(&at.values, end)[slot]),
         };
-        Evaluation { energy, monitors: self.monitors.map(|unknown| unknown.map_or(0.0, value)), recorded: 0.0 }
+        Evaluation { energy, monitors: self.monitors.map(|monitor| monitor.map_or(0.0, value)), recorded: 0.0 }
     }
 
-    /// Damping of places and of turns of a branch per length and in a unit of time: its energy per length, of 1 nN where nothing adheres, over a scale
+    /// What the unknowns of a node are measured by whose height has this unit.
+    fn units(&self, height: f64) -> [f64; F] {
+        let [place, turn] = self.scale;
+        [place, height, place, turn, turn, turn]
+    }
+
+    /// What damps the unknowns of a branch per length and in a unit of time: its energy per length, of 1 nN where nothing adheres, over a scale
     /// squared.
-    pub(super) fn damping(&self, branch: &TreeBranch) -> [f64; 2] {
-        match &branch.adhering {
-            None => self.scale.map(|scale| 1.0 / (scale * scale)),
-            Some(sections) => {
-                let lying = &sections.lying;
-                let turn = (lying.gap_scale / lying.process_length).min(1.0);
-                [lying.gap_scale, turn].map(|scale| lying.energy.abs() / (scale * scale))
-            }
-        }
+    pub(super) fn damping(&self, branch: &TreeBranch) -> [f64; F] {
+        let (energy, height) = match &branch.adhering {
+            None => (1.0, self.scale[0]),
+            Some(sections) => (sections.lying.energy.abs(), sections.lying.gap_scale),
+        };
+        self.units(height).map(|unit| energy / (unit * unit))
+    }
+
+    fn mean_of_pads(&self, of: impl Fn(usize) -> f64) -> f64 {
+        self.pads.iter().map(|&pad| of(pad)).sum::<f64>() / self.pads.len().max(1) as f64
     }
 
     /// Makes the quaternions of a state's values ones of length one, those of ends with angles the ones that these say.
@@ -99,9 +107,9 @@ impl System for BeamTree {
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         // of an infinite time there is none
-        let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE };
+        let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE, adhering: 0.0 };
         let root = self.eliminate_with(at, weights, added, ws.factors::<TreeFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
+        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, [root.energy, root.adhering])))
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
@@ -117,16 +125,28 @@ impl System for BeamTree {
     }
 
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {
-        let rate = |unknown: JointUnknown| direction[unknown.joint * F + unknown.slot];
-        let monitors = self.monitors.map(|unknown| unknown.map_or(0.0, rate));
-        (self.evaluation(at, self.energy(at)), Rates { monitors, recorded: 0.0 })
+        let rate = |monitor: TreeMonitor| match monitor {
+            TreeMonitor::Joint(JointUnknown { joint, slot }) => direction[joint * F + slot],
+            TreeMonitor::PadsAside => self.mean_of_pads(|pad| direction[pad * F + ASIDE]),
+            TreeMonitor::AdheringLength => {
+                self.adhering_gradient(at).iter().zip(direction).map(|(by, change)| by * change).sum()
+            }
+        };
+        let monitors = self.monitors.map(|monitor| monitor.map_or(0.0, rate));
+        (self.evaluation(at, self.energies(at)), Rates { monitors, recorded: 0.0 })
     }
 
     fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
-        let mut gradient = vec![0.0; self.unknowns(at)];
+        let weight = self.weight_of_adhering(weights);
+        let mut gradient = if weight == 0.0 { vec![0.0; self.unknowns(at)] } else { self.adhering_gradient(at) };
+        gradient.iter_mut().for_each(|entry| *entry *= weight);
         for (monitor, weight) in self.monitors.iter().zip(weights) {
-            if let Some(unknown) = monitor {
-                gradient[unknown.joint * F + unknown.slot] += weight;
+            match monitor {
+                Some(TreeMonitor::Joint(unknown)) => gradient[unknown.joint * F + unknown.slot] += weight,
+                Some(TreeMonitor::PadsAside) => {
+                    self.pads.iter().for_each(|&pad| gradient[pad * F + ASIDE] += weight / self.pads.len() as f64);
+                }
+                Some(TreeMonitor::AdheringLength) | None => {}
             }
         }
         gradient
@@ -177,9 +197,10 @@ impl System for BeamTree {
 
     fn size(&self, direction: &[f64], at: &State) -> f64 {
         let (mut largest, mut sum) = (0.0f64, 0.0);
-        for (step, unit) in direction.chunks_exact(F).zip(self.place_units(at)) {
+        for (step, height) in direction.chunks_exact(F).zip(self.height_units(at)) {
+            let units = self.units(height);
             for f in 0..F {
-                let size = step[f].abs() / if f < 3 { unit } else { self.scale[1] };
+                let size = step[f].abs() / units[f];
                 sum += size;
                 largest = largest.max(size);
             }
@@ -188,9 +209,7 @@ impl System for BeamTree {
     }
 
     fn per_unit(&self, at: &State) -> Vec<f64> {
-        let turn = 1.0 / self.scale[1];
-        let of = |unit: f64| [1.0 / unit, 1.0 / unit, 1.0 / unit, turn, turn, turn];
-        self.place_units(at).into_iter().flat_map(of).collect()
+        self.height_units(at).into_iter().flat_map(|height| self.units(height).map(|unit| 1.0 / unit)).collect()
     }
 
     fn stress_free(&self, _: usize) -> State {
@@ -219,12 +238,7 @@ impl System for BeamTree {
         (0..self.unknowns(at)).map(|k| size * self.scale[k % F / 3]).collect()
     }
 
-    /// No node of a branch that adheres is in the ground.
     fn is_admissible(&self, at: &State) -> bool {
-        let mut is_above = true;
-        self.each_adhering(at, |_, sections, lowest| {
-            is_above &= sections.barrier().clearance(lowest) > 0.0;
-        });
-        is_above
+        self.is_above_ground(at)
     }
 }
