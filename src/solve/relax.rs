@@ -275,7 +275,6 @@ fn landed(
     (negative == 0 && solution.correction <= 2.0 * NEAR && lower).then_some(solution)
 }
 
-
 /// What falls: the energy of a configuration, whether in equilibrium or not, less P u of a held force, aJ.
 fn energy_of(problem: &Problem, at: &State, held: Held) -> f64 {
     let direction = vec![0.0; problem.system.unknowns(at)];

@@ -77,8 +77,8 @@ pub use peel::equilibrium_path::follow::PathPoints;
 pub use peel::result::{Effort, Failure, LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
 pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
-pub use seta::of_beams::pull_off_of_beams;
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
+pub use seta::of_beams::pull_off_of_beams;
 pub use seta::result::{
     EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaProgress, SetaPullOff, SetaStation,
     TipChange,

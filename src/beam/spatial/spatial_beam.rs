@@ -1,5 +1,6 @@
 //! A beam in space: a chain of elements above flat ground or on its own, in its rest configuration.
 
+use super::chain::fields_along::FieldsAlong;
 use super::chain::read::normalise;
 use super::chain::spatial_chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
@@ -88,7 +89,11 @@ impl SpatialBeam {
         let moves = self.mesh.kind == MeshKind::Moving;
         let place = || if moves { self.rest.fronts().place(focus) } else { self.rest.front(self.length) };
         let followed = if moves { edges } else { &[0.0; 2] };
-        Mesh { boundaries: self.mesh.ends(self.adheres().then(place), followed, counts, near), focus, follows: edges.to_vec() }
+        Mesh {
+            boundaries: self.mesh.ends(self.adheres().then(place), followed, counts, near),
+            focus,
+            follows: edges.to_vec(),
+        }
     }
 
     /// A front as the focus of a mesh: no farther than the ends of the chain.
@@ -108,7 +113,7 @@ impl SpatialBeam {
 
     /// A state read off on another mesh.
     pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
-        let mut values = self.chain.along(self.configuration(at)).resampled(&mesh.boundaries);
+        let mut values = FieldsAlong::of(&self.chain, self.configuration(at)).resampled(&mesh.boundaries);
         values.extend_from_slice(&at.values[at.values.len() - ANGLES..]);
         self.settle_rotations(&mut values);
         State { mesh, values, ..at.clone() }

@@ -1,5 +1,6 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
+use super::chain::fields_along::FieldsAlong;
 use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, apply_transposed, cross, matrix};
@@ -252,7 +253,7 @@ impl System for SpatialBeam {
 
     fn aligned(&self, at: &State, monitors: [f64; MONITORS]) -> State {
         let mesh = self.mesh_near(monitors[FRONT], &self.edges(at, monitors[FRONT]), &at.mesh);
-        let mut values = self.chain.along(self.configuration(at)).shifted(&mesh.boundaries);
+        let mut values = FieldsAlong::of(&self.chain, self.configuration(at)).shifted(&mesh.boundaries);
         values.extend_from_slice(&at.values[values.len()..]);
         self.settle_rotations(&mut values);
         State { mesh, values, force: at.force, history: None }

@@ -75,7 +75,8 @@ impl PeelModel {
     ) -> Result<BeamProblem, NoSuchOrder> {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
         let BodyBranch { sections, rest, length, mesh } = self.on_ground(space, section);
-        let (AdheringSections { profile, lying, .. }, rest) = (Arc::unwrap_or_clone(sections), Arc::unwrap_or_clone(rest));
+        let (AdheringSections { profile, lying, .. }, rest) =
+            (Arc::unwrap_or_clone(sections), Arc::unwrap_or_clone(rest));
         let LyingSection { gap_scale, process_length, .. } = lying;
         let start = match rest {
             SpatialRest::Curve(_) => InitialState::StressFree,

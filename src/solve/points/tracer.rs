@@ -73,9 +73,9 @@ impl TraceError {
     /// What of it a solver says.
     pub fn cause(self) -> SolveError {
         match self {
-            Self::Path(PathError { cause, .. })
-            | Self::NotLocated { cause, .. }
-            | Self::NoBranching { cause, .. } => cause,
+            Self::Path(PathError { cause, .. }) | Self::NotLocated { cause, .. } | Self::NoBranching { cause, .. } => {
+                cause
+            }
         }
     }
 }

@@ -241,6 +241,22 @@ impl StepCurve {
         Self { basis, displacements: at.map(|pair| pair.0), forces: at.map(|pair| pair.1) }
     }
 
+    /// From the first point of a segment to a solution at the label `to` of it, by the interpolants that the segment has by itself.
+    pub fn interpolated(segment: &PathSegment, to: f64, end: &Solution) -> Self {
+        let basis = Basis::new(NODES - 1);
+        let (left, right) = (NODES - 2, NODES - 1);
+        let of = |o: &Observables| (o.displacement, o.force);
+        let [displacement, force] = [|o: &Observables| o.displacement, |o: &Observables| o.force]
+            .map(|pick: fn(&Observables) -> f64| segment.observable(pick, 0.5 * to));
+        let mut at = [(0.0, 0.0); NODES];
+        for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
+            let label = 0.5 * (1.0 + node) * to;
+            *at = (displacement.at(label).0, force.at(label).0);
+        }
+        (at[left], at[right]) = (of(&segment.first().observables), of(&end.observables));
+        Self { basis, displacements: at.map(|pair| pair.0), forces: at.map(|pair| pair.1) }
+    }
+
     /// Whether the polynomials through all nodes but the middle one miss that, by a share of what changes on the step and by more
     /// than work counts, in units of `scale`, aJ.
     fn is_uncertain(&self, scale: f64) -> bool {

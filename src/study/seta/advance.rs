@@ -2,10 +2,9 @@
 
 use super::knot::{Allowed, Knot, Reached, maximum};
 use super::loading::SetaOptions;
-use super::loss::{Loss, locate};
+use super::loss::{Loss, Watched, locate};
 use super::rest::share_of_change;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
-use super::watched::Watched;
 use crate::beam::spatial::tree::branching_beam::EndEnergy;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};

@@ -7,9 +7,9 @@
 
 use super::advance::{Advance, advance};
 use super::loading::SetaOptions;
+use super::loss::Critical;
 use super::rest::come_to_rest;
 use super::standing::{RootDrive, Standing, TipTangent};
-use super::watched::Critical;
 use crate::model::seta::normal_pull::{CurvePoint, NormalPull, PullCurve, Sideways};
 use crate::model::seta::parameters::{Seta, SetaMesh, SetaModel};
 use crate::model::seta::tip_law::TipBranch;

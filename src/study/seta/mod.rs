@@ -15,4 +15,3 @@ pub(super) mod result;
 pub(super) mod run;
 pub(super) mod spatula_curve;
 pub(super) mod standing;
-mod watched;

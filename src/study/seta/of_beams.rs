@@ -5,9 +5,9 @@
 //! that face would hold is not what a pad holds by, so it lets go there and does not adhere until it is clear of the ground.
 
 use super::loading::{SetaLoading, SetaStart, SetaStep, StepEnd};
+use super::loss::critical_direction;
 use super::result::{EventCause, SetaEnd, SetaEvent, SetaFailure, SetaPullOff, TipChange};
 use super::standing::{RootDrive, grip_of};
-use super::watched::critical_direction;
 use crate::beam::spatial::rotation::matrix;
 use crate::beam::spatial::tree::beam_tree::BeamTree;
 use crate::beam::spatial::tree::branching_beam::TreeMonitor;
@@ -40,7 +40,8 @@ const RELAXING: RelaxOptions = RelaxOptions { round_off: 1e-12, ..RelaxOptions::
 /// Points behind a limit point that its interpolation may use.
 const BEHIND: usize = 2;
 /// A solution at the end of a step.
-const AT_END: NewtonOptions = NewtonOptions { tolerance: 1e-9, largest_update: 0.5, most_iterations: 12, exact_slope: true };
+const AT_END: NewtonOptions =
+    NewtonOptions { tolerance: 1e-9, largest_update: 0.5, most_iterations: 12, exact_slope: true };
 /// Limit points are located to this share.
 const LOCATED: f64 = 1e-8;
 /// Most losses of stability in one step of the loading.
@@ -57,8 +58,8 @@ const MORE: f64 = 4.0;
 const LONGEST_NUDGE: f64 = 20.0;
 /// An energy that is released, aJ, below which nothing has happened.
 const NOTHING: f64 = 1e-3;
-/// Works are certain to a share of this, aJ: what one spatula takes.
-const WORK: f64 = 1000.0;
+/// A jump may take so much of the energy: that is the error of its work. More of it says that the mesh is too coarse.
+const BALANCED: f64 = 1e-4;
 
 /// Pulls a seta of beams off as the loading says.
 ///
@@ -73,7 +74,7 @@ pub fn pull_off_of_beams(
 ) -> Result<SetaPullOff, SetaError> {
     loading.check()?;
     if let SetaStart::Above(height) = loading.start {
-        return Err(SetaError::Above { height });
+        return Err(SetaError::NotAdhering { height });
     }
     let tree = model.tree()?;
     let mut run = Run {
@@ -93,6 +94,7 @@ pub fn pull_off_of_beams(
     if let Ok(at) = &end {
         run.result.last = Some(run.state(&at.at, point, None));
     }
+    // what is found on the way stays, whatever ends it
     run.result.end = end.err().unwrap_or(SetaEnd::Completed);
     Ok(run.result)
 }
@@ -191,9 +193,11 @@ impl Run<'_> {
             (own.on != to).then_some(TipChange { tip, to, load: own.load })
         };
         let tips: Vec<TipChange> = left.tips.iter().enumerate().filter_map(change).collect();
-        let work = ahead * before.force_along;
-        let released = before.energy + work - rest.energy;
         let mut after = self.point(drive, &rest, before);
+        // a tip that lets go does so at the beginning; where none does the seta may have gone on as it was
+        let force = if tips.is_empty() { 0.5 * (before.force_along + after.force_along) } else { before.force_along };
+        let work = ahead * force;
+        let released = before.energy + work - rest.energy;
         after.work += work;
         if ahead > 0.0 && tips.is_empty() && released.abs() < NOTHING {
             // it has gone on as it was
@@ -208,6 +212,10 @@ impl Run<'_> {
             self.result.last_detachment = Some(left);
         }
         self.keep_peak(&rest, after, None);
+        let imbalance = -released / before.energy.abs().max(rest.energy.abs());
+        if imbalance > BALANCED {
+            return Err(SetaEnd::Failed(SetaFailure::Unbalanced { step, displacement, imbalance }));
+        }
         let cause = if tips.is_empty() { EventCause::Buckling } else { EventCause::Tips };
         self.result.events.push(SetaEvent { before, after, cause, tips, released });
         Ok(rest)
@@ -332,7 +340,7 @@ impl Run<'_> {
                         break self.arrive(problem, drive, (points, before - 1), target).map(PieceEnd::Done);
                     } else {
                         let segment = PathSegment::around(problem, points, before - 1);
-                        self.take(problem, drive, &segment, segment.end(), &point);
+                        self.take(drive, &segment, segment.end(), &point);
                     }
                     if matches!(step.until, StepEnd::Detached(_)) && self.is_off(&point.at) {
                         break Ok(PieceEnd::Done(point));
@@ -376,7 +384,7 @@ impl Run<'_> {
         let solution = solve(problem, start, &target, &AT_END, &mut self.ws).map_err(|cause| self.lost(cause))?;
         let solution = Arc::new(solution);
         let label = segment.insert(Arc::clone(&solution));
-        self.take(problem, drive, &segment, label, &solution);
+        self.take(drive, &segment, label, &solution);
         Ok(solution)
     }
 
@@ -391,7 +399,7 @@ impl Run<'_> {
         let mut segment = PathSegment::around(problem, points, after);
         let lost = &located.solution;
         let label = segment.insert(lost.clone());
-        self.take(problem, drive, &segment, label, lost);
+        self.take(drive, &segment, label, lost);
         let direction = critical_direction(problem, lost, &mut self.ws).map_err(|cause| self.lost(cause))?;
         // the way along which the path goes on, where it turns
         let along: f64 = direction.iter().zip(&lost.tangent.direction).map(|(a, b)| a * b).sum();
@@ -420,15 +428,14 @@ impl Run<'_> {
         let mut segment = PathSegment::around(problem, points, after);
         let label = segment.insert(located.solution.clone());
         let mut point = self.point(drive, &located.solution, self.last());
-        point.work += StepCurve::until(problem, &segment, label, &located.solution, &mut self.ws).work();
+        point.work += StepCurve::interpolated(&segment, label, &located.solution).work();
         self.keep_peak(&located.solution, point, Some(location(&located.solution, 0.0)));
     }
 
     /// Goes on to an equilibrium of the same piece, at this label of the step to it.
-    fn take(&mut self, problem: &Problem, drive: &RootDrive, segment: &PathSegment, label: f64, to: &Solution) {
-        let pieces = StepCurve::pieces((problem, WORK), segment, label, to, &mut self.ws);
+    fn take(&mut self, drive: &RootDrive, segment: &PathSegment, label: f64, to: &Solution) {
         let mut point = self.point(drive, to, self.last());
-        point.work += pieces.iter().map(StepCurve::work).sum::<f64>();
+        point.work += StepCurve::interpolated(segment, label, to).work();
         self.result.points.push(point);
         self.keep_peak(to, point, None);
     }

@@ -5,9 +5,9 @@
 //! seta yields to it; then the forces follow. A step ends where the first tip comes to the end of its branch; that tip goes over to the other
 //! branch there. Where no tip changes any more and the step is small, Newton's own method finds the equilibrium, which has to be stable.
 
+use super::loss::{critical_direction, disturbed};
 use super::result::TipChange;
 use super::standing::{HEIGHT, RootDrive, Standing, TipTangent};
-use super::watched::{critical_direction, disturbed};
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, damped_step, solve};

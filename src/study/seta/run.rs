@@ -3,11 +3,10 @@
 use super::advance::{Advance, advance};
 use super::knot::{Knot, Reached, passed};
 use super::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
-use super::loss::Loss;
+use super::loss::{Critical, Loss};
 use super::rest::{Rested, come_to_rest};
 use super::result::{EventCause, Mark, Named, SetaEnd, SetaEvent, SetaFailure, SetaProgress, SetaPullOff, SetaStation};
 use super::standing::{RootDrive, Standing, TipTangent};
-use super::watched::Critical;
 use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;

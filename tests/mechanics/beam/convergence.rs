@@ -39,7 +39,7 @@ fn force(form: Form, order: usize, elements: usize) -> (f64, usize) {
     let mut work = Workspace::default();
     let mut at = problem.initial(elements);
     let boundaries = (0..=elements).map(|k| problem.beam.length() * k as f64 / elements as f64).collect();
-    at = problem.beam.resampled(&at, Mesh { boundaries, ..at.mesh });
+    at = problem.beam.resampled(&at, Mesh { boundaries, ..at.mesh.clone() });
     let (mut force, mut iterations) = (0.0, 0);
     for target in [0.0, 0.05, 0.1, 0.15, 0.2] {
         let solution = solve(&problem, at, &PathConstraint { weights, target }, &options, &mut work)

@@ -6,6 +6,7 @@ mod four_tips;
 mod hard;
 mod hysteresis;
 mod initial_stiffness;
+mod of_beams;
 pub mod setup;
 mod snap_on;
 mod stations;

@@ -19,7 +19,7 @@ use crate::beam::trees::setup::four_tips;
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, SymmetricEigen};
 use peelkit::beam::rotation::{apply, apply_transposed, cross, matrix};
-use peelkit::beam::{BeamTree, Branch, BranchingBeam, EndRotation, JointCondition, SpatialStiffness};
+use peelkit::beam::{BeamTree, Branch, BranchRest, BranchingBeam, EndRotation, JointCondition, SpatialStiffness};
 use peelkit::solve::time::{Drive, DynamicProblem, DynamicSystem, Motion, StepControl, TimeIntegrator, TimeOptions};
 use peelkit::solve::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem, State, System, Workspace};
 use std::f64::consts::PI;
@@ -132,7 +132,9 @@ fn a_forked_tree_that_flies_keeps_energy_and_momenta() {
 fn momenta_of_a_rigid_motion_are_those_of_its_branches() {
     let mut straight = free_tree();
     let levels = [0, 1, 1, 2, 2, 2, 2];
-    straight.branches[6].rest.curvature = [0.0; 3];
+    if let BranchRest::Curve(rest) = &mut straight.branches[6].rest {
+        rest.curvature = [0.0; 3];
+    }
     let tree = straight.build().unwrap().with_inertia(|branch| INERTIA[levels[branch]]);
     let at = tree.stress_free(0);
     let (spin, flight) = ([0.3, -0.5, 1.0], [0.2, -0.1, 0.4]);
@@ -150,9 +152,9 @@ fn momenta_of_a_rigid_motion_are_those_of_its_branches() {
     let mut kinetic = 0.0;
     for (branch, level) in straight.branches.iter().zip(levels) {
         let [mass, moments @ ..] = INERTIA[level].map(|x| x * branch.length);
-        let axes = matrix(branch.rest.directors);
+        let axes = matrix(branch.rest.at(0.0).1);
         let along: [f64; 3] = std::array::from_fn(|k| axes[k][0]);
-        let start = branch.rest.start;
+        let (start, _) = branch.rest.at(0.0);
         // Simpson's rule is exact of what is quadratic along a branch
         for (share, part) in [(1.0 / 6.0, 0.0), (4.0 / 6.0, 0.5), (1.0 / 6.0, 1.0)] {
             let place: [f64; 3] = std::array::from_fn(|k| start[k] + part * branch.length * along[k]);

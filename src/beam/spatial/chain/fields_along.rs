@@ -1,6 +1,7 @@
 //! The fields of elements one behind the other, read off on elements that end elsewhere.
 
 use super::read::{combine, normalise};
+use super::spatial_chain::{SpatialChain, SpatialConfiguration};
 use crate::beam::element::basis::{AnyNumber, Basis, MOST_NODES, Nodes, slot};
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
 
@@ -17,7 +18,12 @@ pub struct FieldsAlong<'a> {
     pub fields: &'a [f64],
 }
 
-impl FieldsAlong<'_> {
+impl<'a> FieldsAlong<'a> {
+    /// Of a chain.
+    pub fn of(chain: &'a SpatialChain, at: SpatialConfiguration<'a>) -> Self {
+        Self { basis: &chain.basis, boundaries: at.boundaries, fields: at.fields }
+    }
+
     /// The fields of the nodes of an element, in elimination order.
     fn element(&self, e: usize) -> [[f64; N]; MOST_NODES] {
         let (order, mut values) = (self.basis.order, [[0.0; N]; MOST_NODES]);

@@ -2,7 +2,6 @@
 
 use super::assembly::Products;
 use super::end_block::{BelowEnd, EndRow};
-use super::fields_along::FieldsAlong;
 use super::projection::{FieldFront, SAME, SpatialFront};
 use crate::beam::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
 use crate::beam::element::integrand::Integrand;
@@ -133,11 +132,6 @@ impl SpatialChain {
             all.extend(strains_of(&self.density, &self.element(at, e), self.nodes(), &self.basis));
         }
         all
-    }
-
-    /// Its fields, to be read off on elements that end elsewhere.
-    pub(in crate::beam::spatial) fn along<'a>(&'a self, at: SpatialConfiguration<'a>) -> FieldsAlong<'a> {
-        FieldsAlong { basis: &self.basis, boundaries: at.boundaries, fields: at.fields }
     }
 
     pub(super) fn nodes(&self) -> AnyNumber {

@@ -2,7 +2,7 @@
 pub(crate) mod branch_sections;
 pub(crate) mod density;
 pub(crate) mod kinematics;
-pub(crate) mod lying_section;
 pub(super) mod local_adhesion;
+pub(crate) mod lying_section;
 pub(crate) mod spatial_profile;
 pub(crate) mod strain_memory;

@@ -226,7 +226,9 @@ pub enum TreeError {
     #[error("branch {branch} is {length} nm long and has {elements} elements: both have to be positive")]
     Length { branch: usize, length: f64, elements: usize },
     /// Ends of elements that do not ascend from one end of the branch to the other.
-    #[error("the elements of branch {branch} end at S = {ends:?} nm: from 0 to its length, {length} nm, they have to ascend")]
+    #[error(
+        "the elements of branch {branch} end at S = {ends:?} nm: from 0 to its length, {length} nm, they have to ascend"
+    )]
     Ends { branch: usize, length: f64, ends: Vec<f64> },
     /// A mesh that follows a front that is not there.
     #[error("the elements of branch {branch} follow a peeling front, and nothing adheres along it: give a fixed mesh")]

@@ -70,7 +70,10 @@ impl BranchingBeam {
         }
         let is_pad = |joint: &usize| {
             let ends = |&b: &usize| self.branches[b].sections.adhering().is_some();
-            *joint != self.root && end_of[*joint].is_none() && topology.meeting[*joint].len() == 1 && topology.meeting[*joint].iter().all(ends)
+            *joint != self.root
+                && end_of[*joint].is_none()
+                && topology.meeting[*joint].len() == 1
+                && topology.meeting[*joint].iter().all(ends)
         };
         let pads: Vec<usize> = (0..joints).filter(is_pad).collect();
         let basis = Basis::new(self.order);

@@ -66,7 +66,12 @@ impl BeamTree {
             let counts = policy.pieces.shared_out(elements);
             let near = near.boundaries.get(branch.first_boundary..=branch.first_boundary + branch.elements);
             let front = branch.rest.place_of_front(follows[first], branch.length);
-            boundaries.extend(policy.ends(Some(front), &follows[first + 1..first + FOLLOWED], &counts, near.unwrap_or(&[])));
+            boundaries.extend(policy.ends(
+                Some(front),
+                &follows[first + 1..first + FOLLOWED],
+                &counts,
+                near.unwrap_or(&[]),
+            ));
         }
         Mesh { boundaries, focus: 0.0, follows: follows.to_vec() }
     }
@@ -239,12 +244,7 @@ impl BeamTree {
     }
 
     /// Those of one branch.
-    fn each_adhering_of(
-        &self,
-        at: &State,
-        branch: &TreeBranch,
-        mut look: impl FnMut(usize, &AdheringSections, f64),
-    ) {
+    fn each_adhering_of(&self, at: &State, branch: &TreeBranch, mut look: impl FnMut(usize, &AdheringSections, f64)) {
         let (order, last) = (self.order(), self.order() + 1);
         let Some(sections) = &branch.adhering else { return };
         let ends = branch.ends(&at.mesh);

@@ -85,7 +85,9 @@ impl BeamTree {
     pub(super) fn adhering_gradient(&self, at: &State) -> Vec<f64> {
         let mut out = vec![0.0; self.nodes * F];
         for branch in self.branches.iter() {
-            let Some(sections) = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some()) else { continue };
+            let Some(sections) = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some()) else {
+                continue;
+            };
             let by = self.integration(self.count(), branch);
             let weight = 1.0 / sections.lying.energy;
             self.add_forces(at, (branch, weight), |element| element.coverage_forces(&by), &mut out);

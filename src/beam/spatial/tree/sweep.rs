@@ -77,13 +77,12 @@ impl BeamTree {
         let added = Added { adhering, ..added };
         factors.resize(self.elements, self.bundles.len() * self.inside);
         let mut carries = std::mem::take(&mut factors.carries);
-        let mut count =
-            Count {
-                energy: self.load_joints(&at.values, weights, &mut carries),
-                adhering: 0.0,
-                negative: 0,
-                least: f64::INFINITY,
-            };
+        let mut count = Count {
+            energy: self.load_joints(&at.values, weights, &mut carries),
+            adhering: 0.0,
+            negative: 0,
+            least: f64::INFINITY,
+        };
         if !added.nodal.stiffness.is_empty() {
             self.load_with_inertia(&at.values, added.nodal, &mut carries);
         }

@@ -197,7 +197,11 @@ impl DynamicSystem for BeamTree {
         let nodal = if self.inertia.is_empty() { NodalTerms::NONE } else { terms.nodal };
         let added = Added { damping: 0.0, nodal, adhering: 0.0 };
         let root = tree.eliminate_with(at, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), tree.evaluation(at, [root.energy, root.adhering])))
+        Ok(condensed(
+            &root.matrix,
+            (root.negative, root.least_pivot),
+            tree.evaluation(at, [root.energy, root.adhering]),
+        ))
     }
 
     fn relaxed_memory(&self, at: &State) -> Vec<f64> {

@@ -109,7 +109,11 @@ impl System for BeamTree {
         // of an infinite time there is none
         let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE, adhering: 0.0 };
         let root = self.eliminate_with(at, weights, added, ws.factors::<TreeFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, [root.energy, root.adhering])))
+        Ok(condensed(
+            &root.matrix,
+            (root.negative, root.least_pivot),
+            self.evaluation(at, [root.energy, root.adhering]),
+        ))
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {

@@ -49,7 +49,7 @@ fn one_branch_is_a_chain_bit_for_bit() {
         let end = |held: &JointCondition| SpatialEnd {
             axes: held.axes,
             rotation: EndRotation::Angles,
-            rest: beam.branches[0].rest.directors,
+            rest: beam.branches[0].rest.at(0.0).1,
             dead_load: [[0.0; 3]; 2],
         };
         let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness(1), 0.0, 0.0), adhesion: None };
@@ -59,7 +59,7 @@ fn one_branch_is_a_chain_bit_for_bit() {
         let boundaries: Vec<f64> = (0..=ELEMENTS).map(|k| LENGTH * k as f64 / ELEMENTS as f64).collect();
         let seen = SpatialConfiguration { boundaries: &boundaries, fields: &fields, angles, known: None };
         let (mut own, mut other) = (TreeFactors::default(), SpatialFactors::default());
-        let found = tree.eliminate(&at.values, [0.0; 2], [0.0; 2], &mut own).unwrap();
+        let found = tree.eliminate(&at, [0.0; 2], 0.0, &mut own).unwrap();
         let wanted = chain.eliminate(seen, &SpatialFunctional::default(), NodalTerms::NONE, &mut other).unwrap();
         assert_eq!(found.matrix, wanted.matrix, "order {order}");
         assert_eq!((found.negative, found.least_pivot), (wanted.negative, wanted.least_pivot));
@@ -85,7 +85,7 @@ fn cut_into_branches_it_is_the_same_to_round_off() {
         let condensed = |beam: &BranchingBeam| {
             let tree = beam.build().unwrap();
             let at = tree.stress_free(0);
-            tree.eliminate(&at.values, [0.0; 2], [0.0; 2], &mut TreeFactors::default()).unwrap()
+            tree.eliminate(&at, [0.0; 2], 0.0, &mut TreeFactors::default()).unwrap()
         };
         let (whole, cut) = (condensed(&whole), condensed(&cut));
         assert_eq!((whole.negative, cut.negative), (0, 0));

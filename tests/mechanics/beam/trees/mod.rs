@@ -1,5 +1,6 @@
 //! Trees of beams in space.
 
+mod adhering;
 mod as_chain;
 mod column;
 mod refusals;

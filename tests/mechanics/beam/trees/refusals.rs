@@ -7,7 +7,11 @@
 //! ```
 
 use super::setup::{four_tips, stiffness};
-use peelkit::beam::{Branch, BranchingBeam, JointCondition, JointUnknown, SpatialStiffness, TreeError};
+use peelkit::beam::{
+    Branch, BranchMesh, BranchSections, BranchingBeam, JointCondition, JointUnknown, MeshIntervals, MeshKind,
+    MeshPolicy, SpatialStiffness, TreeError, TreeMonitor,
+};
+use std::sync::Arc;
 
 const PLACES: [[f64; 3]; 5] = [[0.0; 3], [-1.0, 0.0, 2.0], [1.0, 0.0, 2.0], [5.0, 0.0, 0.0], [6.0, 0.0, 0.0]];
 
@@ -49,11 +53,25 @@ fn rings_parts_and_numbers_that_no_tree_has_are_refused() {
 fn lengths_stiffnesses_and_gaps_are_checked() {
     let short = Branch { length: 0.0, ..straight([0, 1]) };
     assert_eq!(refused(vec![short], 0), TreeError::Length { branch: 0, length: 0.0, elements: 2 });
-    let empty = Branch { elements: 0, ..straight([0, 1]) };
+    let empty = Branch { mesh: BranchMesh::Fixed(vec![0.0]), ..straight([0, 1]) };
     assert!(matches!(refused(vec![empty], 0), TreeError::Length { elements: 0, .. }));
-    let soft = Branch { stiffness: SpatialStiffness::diagonal(1.0, [1.0; 2], 0.0, [1.0; 2]), ..straight([0, 1]) };
+    let soft = BranchSections::Uniform(SpatialStiffness::diagonal(1.0, [1.0; 2], 0.0, [1.0; 2]));
+    let soft = Branch { sections: soft, ..straight([0, 1]) };
     assert_eq!(refused(vec![soft], 0), TreeError::Stiffness { branch: 0 });
-    let long = Branch { length: 2.5, ..straight([0, 1]) };
+    let ends = vec![0.0, 1.5, 1.0, straight([0, 1]).length];
+    let back = Branch { mesh: BranchMesh::Fixed(ends.clone()), ..straight([0, 1]) };
+    let length = back.length;
+    assert_eq!(refused(vec![back], 0), TreeError::Ends { branch: 0, length, ends });
+    let policy = Arc::new(MeshPolicy {
+        kind: MeshKind::Moving,
+        front_foci: Vec::new(),
+        edge_foci: Vec::new(),
+        fixed_foci: Vec::new(),
+        pieces: MeshIntervals::whole(length),
+    });
+    let loose = Branch { mesh: BranchMesh::Following { policy, elements: 4 }, ..straight([0, 1]) };
+    assert_eq!(refused(vec![loose], 0), TreeError::NoFront { branch: 0 });
+    let long = Branch { length: 2.5, mesh: BranchMesh::even(2.5, 2), ..straight([0, 1]) };
     let gap = refused(vec![long, straight([1, 2])], 0);
     assert!(matches!(gap, TreeError::Gap { first: 0, second: 1, joint: 1, .. }), "{gap}");
 }
@@ -69,7 +87,7 @@ fn conditions_of_what_is_not_there_are_refused() {
     let mut turned = JointCondition::loaded(3, [0.0; 3], [0.0; 3]);
     turned.held[4] = Some(0.0);
     assert!(matches!(with(vec![turned]), TreeError::Axes { joint: 3, .. }));
-    let monitors = [Some(JointUnknown { joint: 3, slot: 4 }), None];
+    let monitors = [Some(TreeMonitor::Joint(JointUnknown { joint: 3, slot: 4 })), None];
     let error = BranchingBeam { monitors, ..four_tips(3, 2) }.build().unwrap_err();
     assert_eq!(error, TreeError::Monitor { joint: 3, slot: 4 });
     assert_eq!(four_tips(9, 2).build().unwrap_err(), TreeError::Order { order: 9 });

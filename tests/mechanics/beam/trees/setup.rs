@@ -11,7 +11,7 @@
 //!         0           root
 //! ```
 
-use peelkit::beam::{BeamTree, Branch, BranchingBeam, SpatialRestCurve, SpatialStiffness};
+use peelkit::beam::{BeamTree, Branch, BranchRest, BranchingBeam, SpatialStiffness};
 use peelkit::solve::{State, System};
 
 /// Of the shaft, a limb and a twig: EA, GA, GJ, EI2, EI3.
@@ -46,7 +46,9 @@ pub fn four_tips(order: usize, elements: usize) -> BranchingBeam {
         straight([2, 5], [right, along(right, [0.3, -0.6, 1.0], 4.0)], 2),
         straight([2, 6], [right, along(right, [0.5, 0.6, 1.0], 4.0)], 2),
     ];
-    branches[6].rest = SpatialRestCurve { curvature: BENT, ..branches[6].rest };
+    if let BranchRest::Curve(rest) = &mut branches[6].rest {
+        rest.curvature = BENT;
+    }
     BranchingBeam { order, scale: [1e-2, 1e-2], ..BranchingBeam::new(branches, 0) }
 }
 

@@ -9,7 +9,7 @@ use super::setup::{four_tips, moved, pseudo_random};
 use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use peelkit::beam::rotation::{Quaternion, apply_transposed, cross, matrix};
-use peelkit::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeFactors};
+use peelkit::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeFactors, TreeMonitor};
 use peelkit::solve::{State, System};
 use std::sync::Arc;
 
@@ -65,20 +65,25 @@ fn tree(order: usize, moment: f64) -> BeamTree {
         JointCondition::with_energy(6, Arc::new(spring)),
         turning,
     ];
-    beam.monitors = [Some(JointUnknown { joint: 3, slot: 1 }), Some(JointUnknown { joint: 7, slot: 4 })];
+    beam.monitors = [(3, 1), (7, 4)].map(|(joint, slot)| Some(TreeMonitor::Joint(JointUnknown { joint, slot })));
     beam.build().unwrap()
 }
 
-fn dense(tree: &BeamTree, at: &State) -> DMatrix<f64> {
+pub(super) fn dense(tree: &BeamTree, at: &State) -> DMatrix<f64> {
     let n = tree.unknowns(at);
     let mut all = DMatrix::zeros(n, n);
     tree.tangent_entries(at).into_iter().for_each(|(row, column, value)| all[(row, column)] += value);
     all
 }
 
-/// Central difference along an unknown.
-fn difference<T>(tree: &BeamTree, at: &State, unknown: usize, of: impl Fn(&State) -> T, less: impl Fn(T, T) -> T) -> T {
-    let step = 1e-5;
+/// What a step ahead and a step back along an unknown give.
+pub(super) fn difference<T>(
+    tree: &BeamTree,
+    at: &State,
+    (unknown, step): (usize, f64),
+    of: impl Fn(&State) -> T,
+    less: impl Fn(T, T) -> T,
+) -> T {
     let mut direction = vec![0.0; tree.unknowns(at)];
     direction[unknown] = 1.0;
     let go = |factor: f64| {
@@ -89,14 +94,14 @@ fn difference<T>(tree: &BeamTree, at: &State, unknown: usize, of: impl Fn(&State
     less(go(step), go(-step))
 }
 
-/// Joints whose rotation is counted by angles.
+/// Joints of this tree whose rotation is counted by angles.
 const WITH_ANGLES: [usize; 4] = [0, 3, 4, 7];
 
 /// The residual by a turn is that in the directors as they are, which turn along: exp(φ) exp(ε) is the turn by φ + ε + ½ φ × ε. So the difference
 /// of residuals has ½ g·(e_j × e_i) beside the second derivative by φ_i and φ_j, for the gradient g by the turn; it is taken off.
-fn add_turn(column: &mut DVector<f64>, reactions: &[f64], unknown: usize) {
+pub(super) fn add_turn(column: &mut DVector<f64>, reactions: &[f64], unknown: usize, with_angles: &[usize]) {
     let (node, j) = (unknown / 6, unknown % 6);
-    if j < 3 || WITH_ANGLES.contains(&node) {
+    if j < 3 || with_angles.contains(&node) {
         return;
     }
     let g = [3, 4, 5].map(|k| reactions[6 * node + k]);
@@ -115,7 +120,7 @@ fn the_residual_is_the_gradient_of_the_energy() {
         let reactions = tree.reactions(&at);
         let largest = reactions.iter().fold(0.0f64, |most, r| most.max(r.abs()));
         for unknown in 0..tree.unknowns(&at) {
-            let slope = difference(&tree, &at, unknown, |at| tree.energy(&at.values), |a, b| (a - b) / 2e-5);
+            let slope = difference(&tree, &at, (unknown, 1e-5), |at| tree.energy(at), |a, b| (a - b) / 2e-5);
             assert_abs_diff_eq!(slope, reactions[unknown], epsilon = 3e-8 * largest);
         }
     }
@@ -130,8 +135,8 @@ fn the_tangent_is_the_derivative_of_the_residual() {
         let (largest, reactions) = (tangent.abs().max(), tree.reactions(&at));
         for unknown in 0..tree.unknowns(&at) {
             let mut column =
-                difference(&tree, &at, unknown, |at| DVector::from(tree.residual(at)), |a, b| (a - b) / 2e-5);
-            add_turn(&mut column, &reactions, unknown);
+                difference(&tree, &at, (unknown, 1e-5), |at| DVector::from(tree.residual(at)), |a, b| (a - b) / 2e-5);
+            add_turn(&mut column, &reactions, unknown, &WITH_ANGLES);
             let miss = (column - tangent.column(unknown)).abs().max();
             assert!(miss < 1e-7 * largest, "order {order}, unknown {unknown}: {miss} of {largest}");
         }
@@ -144,7 +149,7 @@ fn elimination_solves_the_dense_system_and_its_transpose() {
         let tree = tree(order, moment);
         let at = moved(&tree, 0.2);
         let (n, mut factors) = (tree.unknowns(&at), TreeFactors::default());
-        let condensed = tree.eliminate(&at.values, [0.3, -0.2], 0.0, &mut factors).unwrap();
+        let condensed = tree.eliminate(&at, [0.3, -0.2], 0.0, &mut factors).unwrap();
         let root = Matrix6::from_fn(|i, j| condensed.matrix[i][j]);
         let tangent = dense(&tree, &at);
         // a right-hand side, both ways
@@ -183,7 +188,7 @@ fn inertia_is_that_of_the_dense_matrix() {
         let mut seen = Vec::new();
         for by in [0.0, 0.1, 0.3, 0.6, 1.0] {
             let at = moved(&tree, by);
-            let found = tree.eliminate(&at.values, [0.0; 2], 0.0, &mut TreeFactors::default()).unwrap();
+            let found = tree.eliminate(&at, [0.0; 2], 0.0, &mut TreeFactors::default()).unwrap();
             let tangent = dense(&tree, &at);
             let is_held = |unknown: usize| {
                 let row = tangent.row(unknown);
