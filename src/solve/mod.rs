@@ -28,7 +28,8 @@ pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointKind, Limit
 pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 pub use relax::{
-    Held, RelaxError, RelaxOptions, Relaxed, disturbed, disturbed_anyhow, relax, relaxed_on_more_elements,
+    Held, RelaxError, RelaxOptions, Relaxation, Relaxed, disturbed, disturbed_anyhow, relax, relax_until,
+    relaxed_on_more_elements,
 };
 pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, State};
 pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};

@@ -148,7 +148,7 @@ pub fn relax(
     ws: &mut Workspace,
 ) -> Result<Relaxed, RelaxError> {
     match relax_until(problem, start, held, options, ws, |_| false)? {
-        Relaxation::Rest(relaxed) => Ok(relaxed),
+        Relaxation::Rest(relaxed) => Ok(*relaxed),
         Relaxation::Left { steps, energy, .. } => Err(RelaxError::Endless { steps, energy }),
     }
 }
@@ -157,7 +157,7 @@ pub fn relax(
 #[derive(Clone, Debug)]
 pub enum Relaxation {
     /// In a stable equilibrium.
-    Rest(Relaxed),
+    Rest(Box<Relaxed>),
     /// On its way, where the watch said so.
     Left {
         /// Where it is, which is no equilibrium
@@ -193,7 +193,7 @@ pub fn relax_until(
             return Err(RelaxError::Stopped { steps, energy });
         }
         if let Some(solution) = landed(problem, &at, (energy, slack), held, ws, &mut eliminations) {
-            return Ok(Relaxation::Rest(Relaxed { solution, energies, steps, eliminations }));
+            return Ok(Relaxation::Rest(Box::new(Relaxed { solution, energies, steps, eliminations })));
         }
         let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
         let mut next = at.clone();

@@ -16,7 +16,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub enum BranchSections {
     /// The same all along; nothing adheres.
-    Uniform(SpatialStiffness),
+    Uniform(Box<SpatialStiffness>),
     /// They adhere to the ground, and may vary. Branches that share them are computed side by side.
     Adhering(Arc<AdheringSections>),
 }
@@ -60,8 +60,8 @@ impl BranchSections {
     /// What is integrated along a branch with this curvature at rest.
     pub(in crate::beam::spatial) fn density(&self, rest_curvature: [f64; 3]) -> Arc<SpatialDensity> {
         let density = match self {
-            Self::Uniform(SpatialStiffness(stiffness)) => {
-                let station = Station { stiffness: *stiffness, rest_curvature, width: 0.0, height: 0.0 };
+            Self::Uniform(stiffness) => {
+                let station = Station { stiffness: stiffness.0, rest_curvature, width: 0.0, height: 0.0 };
                 SpatialDensity { profile: SpatialProfile::Uniform(Box::new(station)), adhesion: None }
             }
             Self::Adhering(own) => SpatialDensity { profile: own.profile.clone(), adhesion: Some(own.law) },

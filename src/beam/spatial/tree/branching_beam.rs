@@ -149,7 +149,7 @@ impl Branch {
         let rest = BranchRest::Curve(SpatialRestCurve { start: from, directors: [w, x, y, z], curvature: [0.0; 3] });
         let length = axis.norm();
         let mesh = BranchMesh::even(length, elements);
-        Self { joints, rest, length, sections: BranchSections::Uniform(stiffness), mesh }
+        Self { joints, rest, length, sections: BranchSections::Uniform(Box::new(stiffness)), mesh }
     }
 
     /// Place (nm) and directors at rest where it ends, at S = `length`: where the next branch begins.

@@ -55,7 +55,7 @@ fn lengths_stiffnesses_and_gaps_are_checked() {
     assert_eq!(refused(vec![short], 0), TreeError::Length { branch: 0, length: 0.0, elements: 2 });
     let empty = Branch { mesh: BranchMesh::Fixed(vec![0.0]), ..straight([0, 1]) };
     assert!(matches!(refused(vec![empty], 0), TreeError::Length { elements: 0, .. }));
-    let soft = BranchSections::Uniform(SpatialStiffness::diagonal(1.0, [1.0; 2], 0.0, [1.0; 2]));
+    let soft = BranchSections::Uniform(Box::new(SpatialStiffness::diagonal(1.0, [1.0; 2], 0.0, [1.0; 2])));
     let soft = Branch { sections: soft, ..straight([0, 1]) };
     assert_eq!(refused(vec![soft], 0), TreeError::Stiffness { branch: 0 });
     let ends = vec![0.0, 1.5, 1.0, straight([0, 1]).length];
