@@ -136,6 +136,8 @@ impl Run<'_> {
             let drive = RootDrive::new(step.direction, self.from);
             here = self.go_step(step, &drive, here)?;
             self.from = drive.root(here.observables.displacement);
+            // the next step counts from here
+            Arc::make_mut(&mut here).observables.displacement = 0.0;
         }
         Ok(here)
     }

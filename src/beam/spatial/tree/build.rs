@@ -121,7 +121,7 @@ impl BranchingBeam {
             match &own.mesh {
                 BranchMesh::Fixed(ends) => {
                     let ascend = ends.windows(2).all(|pair| pair[0] < pair[1]);
-                    if !(ascend && ends[0] == 0.0 && ends[elements] == length) {
+                    if !(ascend && ends[0] == 0.0 && (ends[elements] - length).abs() <= APART * length) {
                         return Err(TreeError::Ends { branch, length, ends: ends.clone() });
                     }
                 }
