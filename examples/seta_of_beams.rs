@@ -15,9 +15,9 @@ use std::time::Instant;
 /// The root goes no farther, nm.
 const MOST: f64 = 60_000.0;
 /// Error of the table, over the largest force.
-const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-2;
 /// By how much the table begins with a tip pressed, nm, and the range of its rotation, rad.
-const PRESSED: f64 = 100.0;
+const PRESSED: f64 = 5.0;
 const TURNED: [f64; 2] = [-0.4, 0.65];
 
 fn main() -> Result<(), Box<dyn Error>> {
