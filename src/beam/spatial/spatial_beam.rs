@@ -5,10 +5,11 @@ use super::chain::read::normalise;
 use super::chain::spatial_chain::{SpatialChain, SpatialConfiguration};
 use super::end_rotation::{EndRotation, turned};
 use super::rest::SpatialRest;
-use super::rotation::{apply_transposed, matrix};
+use super::rotation::apply_transposed;
+use super::section::branch_sections::lowest;
 use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::adhesion::section::barrier::Barrier;
-use crate::adhesion::spatial_section::section::SectionShape;
+use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::beam::mesh::{MeshKind, MeshPolicy};
 use crate::beam::viscosity::Viscosity;
 use crate::solve::state::{Mesh, State};
@@ -127,13 +128,8 @@ impl SpatialBeam {
 
     /// Height of the lowest point of a section with these fields above the ground, nm.
     fn lowest(&self, place: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
-        let mut node = *fields;
-        normalise(&mut node);
-        let frame = matrix([node[3], node[4], node[5], node[6]]);
-        let [width, height] = self.chain.density.profile.outline(place);
-        let (aside, up) = (width * frame[1][1], height * frame[1][2]);
-        let round = self.chain.density.adhesion.as_ref().is_some_and(|own| own.shape() == SectionShape::Ellipse);
-        node[1] - 0.5 * if round { aside.hypot(up) } else { aside.abs() + up.abs() }
+        let shape = self.chain.density.adhesion.as_ref().map(SpatialSection::shape).unwrap_or_default();
+        lowest(self.chain.density.profile.outline(place), shape, fields)
     }
 
     /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.

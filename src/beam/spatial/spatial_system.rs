@@ -30,7 +30,7 @@ const RIGHT_END: [Unknown; 6] = [
 ];
 
 /// The mesh is renewed when the front has moved by this share of the process zone.
-const MOVED: f64 = 0.3;
+pub(super) const MOVED: f64 = 0.3;
 /// A beam of which less than this share of the process zone adheres is loose.
 const LOOSE: f64 = 0.1;
 /// One step takes a loose beam no nearer to the ground than this share of its distance.

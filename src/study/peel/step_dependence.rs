@@ -221,39 +221,38 @@ impl StepCurve {
         [(from, start), (to, end)]: [(f64, &Solution); 2],
         ws: &mut Workspace,
     ) -> Self {
-        let basis = Basis::new(NODES - 1);
-        let (left, right) = (NODES - 2, NODES - 1);
-        let mut at = [(0.0, 0.0); NODES];
-        let of = |o: &Observables| (o.displacement, o.force);
-        (at[left], at[right]) = (of(&start.observables), of(&end.observables));
-        let middle = 0.5 * (from + to);
-        let [displacement, force] = [|o: &Observables| o.displacement, |o: &Observables| o.force]
-            .map(|pick: fn(&Observables) -> f64| known.observable(pick, middle));
-        let mut last = from;
-        for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
-            let label = from + 0.5 * (1.0 + node) * (to - from);
-            *at = match step_to(problem, known, last, label, ROUGH, ws) {
-                Ok(solution) => of(&solution.observables),
-                Err(_) => (displacement.at(label).0, force.at(label).0),
-            };
+        let mut curve = Self::through(known, [(from, start), (to, end)]);
+        let (places, mut last) = (curve.basis.nodes, from);
+        for (k, place) in places.into_iter().enumerate().take(NODES - 2) {
+            let label = from + 0.5 * (1.0 + place) * (to - from);
+            if let Ok(solution) = step_to(problem, known, last, label, ROUGH, ws) {
+                let Observables { displacement, force, .. } = solution.observables;
+                (curve.displacements[k], curve.forces[k]) = (displacement, force);
+            }
             last = label;
         }
-        Self { basis, displacements: at.map(|pair| pair.0), forces: at.map(|pair| pair.1) }
+        curve
     }
 
-    /// From the first point of a segment to a solution at the label `to` of it, by the interpolants that the segment has by itself.
+    /// From the first point of a segment to a solution at the label `to` of it, without a solve.
     pub fn interpolated(segment: &PathSegment, to: f64, end: &Solution) -> Self {
+        Self::through(segment, [(0.0, &segment.first()), (to, end)])
+    }
+
+    /// Between two solutions at labels of a segment, by the interpolants that it has by itself.
+    fn through(segment: &PathSegment, [(from, start), (to, end)]: [(f64, &Solution); 2]) -> Self {
         let basis = Basis::new(NODES - 1);
         let (left, right) = (NODES - 2, NODES - 1);
         let of = |o: &Observables| (o.displacement, o.force);
+        let middle = 0.5 * (from + to);
         let [displacement, force] = [|o: &Observables| o.displacement, |o: &Observables| o.force]
-            .map(|pick: fn(&Observables) -> f64| segment.observable(pick, 0.5 * to));
+            .map(|pick: fn(&Observables) -> f64| segment.observable(pick, middle));
         let mut at = [(0.0, 0.0); NODES];
         for (at, node) in at[..left].iter_mut().zip(basis.nodes) {
-            let label = 0.5 * (1.0 + node) * to;
+            let label = from + 0.5 * (1.0 + node) * (to - from);
             *at = (displacement.at(label).0, force.at(label).0);
         }
-        (at[left], at[right]) = (of(&segment.first().observables), of(&end.observables));
+        (at[left], at[right]) = (of(&start.observables), of(&end.observables));
         Self { basis, displacements: at.map(|pair| pair.0), forces: at.map(|pair| pair.1) }
     }
 

@@ -263,14 +263,13 @@ impl Run<'_> {
     fn upright<'s>(&'s self, at: &'s State) -> impl Iterator<Item = usize> + 's {
         let ends = self.model.seta.joints();
         let rises = move |tip: usize| matrix(self.tree.joint(at, ends + tip).1)[1][0] > UPRIGHT;
-        let near = |tip: usize| self.tree.nearest(at, self.model.spatula_of(tip)) < self.model.reach();
-        (0..self.off.len()).filter(move |&tip| !self.off[tip] && rises(tip) && near(tip))
+        (0..self.off.len()).filter(move |&tip| rises(tip) && self.branch(at, tip).adheres())
     }
 
     /// Whether a spatula adheres.
     fn branch(&self, at: &State, tip: usize) -> TipBranch {
-        let is_near = || self.tree.nearest(at, self.model.spatula_of(tip)) < self.model.reach();
-        if !self.off[tip] && is_near() { TipBranch::Attached } else { TipBranch::Detached }
+        let adheres = !self.off[tip] && self.tree.nearest(at, self.model.spatula_of(tip)) < self.model.reach();
+        if adheres { TipBranch::Attached } else { TipBranch::Detached }
     }
 
     fn attached(&self, at: &State) -> usize {

@@ -42,18 +42,29 @@ impl AdheringSections {
 
     /// Height of the lowest point of a section at S with these fields above the ground, nm.
     pub(in crate::beam::spatial) fn lowest(&self, place: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
-        let [_, y, _, turn @ ..] = *fields;
-        let [_, up, _] = matrix(normalised(turn));
-        let [width, height] = self.profile.outline(place);
-        let (aside, up) = (width * up[1], height * up[2]);
-        let is_round = self.law.shape() == SectionShape::Ellipse;
-        y - 0.5 * if is_round { aside.hypot(up) } else { aside.abs() + up.abs() }
+        lowest(self.profile.outline(place), self.law.shape(), fields)
     }
 
     /// What keeps it out of the ground.
     pub(in crate::beam::spatial) fn barrier(&self) -> Barrier {
         self.law.law().barrier()
     }
+}
+
+/// Height of the lowest point of a section of this outline, b and h, with these fields above the ground, nm.
+pub(in crate::beam::spatial) fn lowest(
+    [width, height]: [f64; 2],
+    shape: SectionShape,
+    fields: &[f64; SPATIAL_FIELDS],
+) -> f64 {
+    let [_, y, _, turn @ ..] = *fields;
+    let [_, up, _] = matrix(normalised(turn));
+    let (aside, up) = (width * up[1], height * up[2]);
+    y - 0.5
+        * match shape {
+            SectionShape::Ellipse => aside.hypot(up),
+            SectionShape::Rectangle => aside.abs() + up.abs(),
+        }
 }
 
 impl BranchSections {

@@ -14,6 +14,7 @@ use crate::beam::spatial::chain::spatial_chain::no_values;
 use crate::beam::spatial::rotation::Quaternion;
 use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
+use crate::beam::spatial::spatial_system::MOVED;
 use crate::number::F64x4;
 use crate::solve::state::{MONITORS, Mesh, State};
 use std::sync::Arc;
@@ -21,8 +22,6 @@ use std::sync::Arc;
 const N: usize = SPATIAL_FIELDS;
 /// Numbers that the mesh of a branch follows.
 const FOLLOWED: usize = 3;
-/// The mesh is renewed when a front has moved by this share of its process zone.
-const MOVED: f64 = 0.3;
 
 /// A branch whose mesh follows its front.
 struct Following<'a> {
@@ -189,9 +188,7 @@ impl BeamTree {
             let ends = branch.ends(&mesh);
             for e in 0..branch.elements {
                 for rank in (0..last).filter(|&rank| branch.end_at(order, e, rank).is_none()) {
-                    let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
-                    let (from, to) = (ends[e], ends[e + 1]);
-                    put(branch.node(order, e, rank), section(b, from + share * (to - from)));
+                    put(branch.node(order, e, rank), section(b, self.place(ends, e, rank)));
                 }
             }
         }
@@ -201,11 +198,19 @@ impl BeamTree {
     /// What the heights of the nodes are measured by, nm: by the scale of the tree, or, where a branch adheres, by how far the lowest point of the
     /// section is from where it is at rest, and the gap scale of the law, if that is less. Along the ground nothing changes as they slide.
     pub(super) fn height_units(&self, at: &State) -> Vec<f64> {
-        let mut units = vec![self.scale[0]; self.nodes];
-        self.each_adhering(at, |node, sections, lowest| {
-            let own = sections.lying.gap_scale + (lowest - sections.lying.gap).abs();
-            units[node] = units[node].min(own);
-        });
+        let (order, mut units) = (self.order(), vec![self.scale[0]; self.nodes]);
+        for branch in self.branches.iter() {
+            let Some(sections) = &branch.adhering else { continue };
+            let ends = branch.ends(&at.mesh);
+            for e in 0..branch.elements {
+                for rank in usize::from(e > 0)..=order {
+                    let fields = self.fields(&at.values, branch, e, rank);
+                    let lowest = sections.lowest(self.place(ends, e, rank), &fields);
+                    let unit = &mut units[branch.node(order, e, rank)];
+                    *unit = unit.min(sections.lying.gap_scale + (lowest - sections.lying.gap).abs());
+                }
+            }
+        }
         units
     }
 
@@ -236,25 +241,5 @@ impl BeamTree {
             let own = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some());
             own.is_none_or(|own| clearance(own) > 0.0)
         })
-    }
-
-    /// The nodes of the branches that adhere, with the height of the lowest point of their sections, nm.
-    pub(super) fn each_adhering(&self, at: &State, mut look: impl FnMut(usize, &AdheringSections, f64)) {
-        self.branches.iter().for_each(|branch| self.each_adhering_of(at, branch, &mut look));
-    }
-
-    /// Those of one branch.
-    fn each_adhering_of(&self, at: &State, branch: &TreeBranch, mut look: impl FnMut(usize, &AdheringSections, f64)) {
-        let (order, last) = (self.order(), self.order() + 1);
-        let Some(sections) = &branch.adhering else { return };
-        let ends = branch.ends(&at.mesh);
-        for e in 0..branch.elements {
-            let (from, to) = (ends[e], ends[e + 1]);
-            for rank in usize::from(e > 0)..last {
-                let share = 0.5 * (1.0 + self.basis.nodes[slot(last, rank)]);
-                let lowest = sections.lowest(from + share * (to - from), &self.fields(&at.values, branch, e, rank));
-                look(branch.node(order, e, rank), sections, lowest);
-            }
-        }
     }
 }
