@@ -7,7 +7,10 @@
 use peelkit::model::{PeelModel, Seta, SetaMesh, SetaModel, SetaOfBeams, Sideways, Spatula, TipLaw};
 use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::coarsening::{CoarseningOptions, GrowingTable, PadEnd, TipRange, coarsen, pull_off_by_table};
-use peelkit::study::{SetaLoading, SetaOptions, SetaPullOff, StopCriteria, pull_off_of_beams};
+use peelkit::study::{
+    BeamsProgress, SetaLoading, SetaOptions, SetaPullOff, SetaState, StopCriteria, peak_of_beams_on_finer_mesh,
+    pull_off_of_beams,
+};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -44,8 +47,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mesh = SetaMesh { order: number("order", 5), elements: vec![1; forks + 1] };
     let beams = SetaOfBeams { seta: seta.clone(), mesh, spatula: model.branch()?, elements: number("elements", 32) };
     let options = PathOptions { pace: Pace::Wary, first_displacement: 0.1, ..PathOptions::default() };
-    let found = pull_off_of_beams(&beams, &loading, &options, &stop)?;
-    print("beams", &found, started);
+    let mut nobody = |_: &SetaState, _: Option<&BeamsProgress>| {};
+    let found = pull_off_of_beams(&beams, &loading, &options, &stop, None, &mut nobody)?;
+    print("beams", &found.result, started);
+    let started = Instant::now();
+    if let Some(finer) = peak_of_beams_on_finer_mesh(&beams, &loading, &options, &found, &stop)? {
+        let (peak, mesh, seconds) = (finer.peak, finer.mesh, started.elapsed().as_secs_f64());
+        println!(
+            "  on a finer mesh {:.4} nN at {:.2} nm, {:.1e} nN from that, {seconds:.1} s",
+            peak.force, peak.displacement, mesh.force
+        );
+    }
 
     let started = Instant::now();
     let range = TipRange { press: PRESSED, rotation: TURNED, ..TipRange::SLIDING };

@@ -185,6 +185,8 @@ pub fn relax_until(
     let mut at = held_at(problem, start, held);
     let mut energies = vec![energy_of(&at)];
     let (mut time, mut steps, mut eliminations) = (FIRST, 0, 0);
+    // where a step is as long as it may be there is no equilibrium near by yet
+    let mut is_moving = false;
     while steps < options.most_steps && eliminations < TRIES * options.most_steps {
         let energy = energies[energies.len() - 1];
         // what it may be wrong by
@@ -192,7 +194,7 @@ pub fn relax_until(
         if ws.is_stopped() {
             return Err(RelaxError::Stopped { steps, energy });
         }
-        if let Some(solution) = landed(problem, &at, (energy, slack), held, ws, &mut eliminations) {
+        if !is_moving && let Some(solution) = landed(problem, &at, (energy, slack), held, ws, &mut eliminations) {
             return Ok(Relaxation::Rest(Box::new(Relaxed { solution, energies, steps, eliminations })));
         }
         let damping = Coefficients { per_damping: time, ..Coefficients::STATIC };
@@ -219,7 +221,8 @@ pub fn relax_until(
             }
         };
         steps += 1;
-        time = (time * if 3.0 * size < options.largest_update { GROWTH } else { 1.0 }).min(LONGEST);
+        is_moving = 3.0 * size >= options.largest_update;
+        time = (time * if is_moving { 1.0 } else { GROWTH }).min(LONGEST);
         at = next;
         // a mesh on which the energy of this step is lost again is put off
         let moved = problem.system.remeshed(&at).map(|moved| held_at(problem, moved, held));

@@ -78,7 +78,9 @@ pub use peel::result::{Effort, Failure, LargestComputedForce, PathEnd, PathFailu
 pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
-pub use seta::of_beams::pull_off_of_beams;
+pub use seta::of_beams::finer_peak::peak_of_beams_on_finer_mesh;
+pub use seta::of_beams::progress::{BeamsProgress, BeamsPullOff, SeeBeams};
+pub use seta::of_beams::run::pull_off_of_beams;
 pub use seta::result::{
     EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaProgress, SetaPullOff, SetaStation,
     TipChange,
@@ -91,7 +93,7 @@ pub use solid_peel::{
 };
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::fields::{BeamState, StateSections};
-pub use states::seta_state::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, TipState};
+pub use states::seta_state::{JointPlace, LocationError, SetaBranch, SetaPoint, SetaState, SpatulaState, TipState};
 pub use terms::effects::TermEffect;
 pub use terms::term_selection::{checked, peel, peel_on};
 pub use terms::warnings::{Warning, WarningKind};

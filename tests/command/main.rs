@@ -24,6 +24,7 @@ mod serve;
 mod seta;
 mod seta_at_a_rate;
 mod seta_law;
+mod seta_of_beams;
 #[cfg(unix)]
 mod seta_pressed;
 #[cfg(unix)]

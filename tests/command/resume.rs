@@ -57,7 +57,7 @@ const RATE: &str = "[strip]\nlength = \"40 nm\"\nheight = \"10 nm\"\nyoungs_modu
 const UNCERTAIN: &str = include_str!("../../scenes/strip-uncertain.toml");
 
 /// Every kind of analysis that keeps what it finds.
-pub const ROWS: [Row; 12] = [
+pub const ROWS: [Row; 13] = [
     Row {
         name: "a path on which Newton's method is slow",
         scene: include_str!("../../scenes/hard/unshearable.toml"),
@@ -80,6 +80,15 @@ pub const ROWS: [Row; 12] = [
         name: "a seta by a table",
         scene: include_str!("../../scenes/seta.toml"),
         command: &["run", "--set", "seta.tip_law=table", "--set", "seta.tip_tolerance=3e-2", "--set", "seta.forks=6"],
+        partial: "run.partial",
+        results: 1,
+        counts: false,
+        time: None,
+    },
+    Row {
+        name: "a seta whose spatulae are beams",
+        scene: include_str!("../../scenes/seta-of-beams.toml"),
+        command: &["run", "--set", "bounds.displacement=800 nm"],
         partial: "run.partial",
         results: 1,
         counts: false,

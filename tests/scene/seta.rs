@@ -48,6 +48,25 @@ fn the_ready_seta_shows_every_key_with_its_default() {
     }
 }
 
+#[test]
+fn spatulae_that_are_beams_take_no_key_of_a_law() {
+    let with = |lines: &str| SETA.replace("[seta]", &format!("[seta]\ntip_law = \"beam\"\n{lines}"));
+    let pressed = parse(&with("preload = \"1 nN\"\n"));
+    let loading = pressed.seta_loading(pressed.seta.as_ref().unwrap());
+    assert!(matches!(loading.start, SetaStart::Above(height) if height >= 100.0), "{loading:?}");
+    for (line, message) in [
+        ("tip_table = \"out/tip\"\n", "names a table, and the spatulae are beams"),
+        ("tip_tolerance = 1e-2\n", "is that of a table, and the spatulae are beams"),
+        ("resolve_within = \"20 nm\"\n", "no longer taken from a table, and the spatulae are beams"),
+        ("lateral_stiffness = \"1 N/m\"\n", "spatulae that are beams slide freely"),
+        ("contact_height = \"1 nm\"\n", "spatulae that are beams adhere again where the attraction pulls them down"),
+    ] {
+        refused(&with(line), &[], message);
+    }
+    let timed = format!("{}[time]\nrate = \"1 mm/s\"\ndensity = \"0 kg/m3\"\n", with(""));
+    refused(&timed, &[], "a seta whose spatulae are beams is not followed in time");
+}
+
 /// Three branches, each with two tips.
 const TREE: &str = "1 0 0 30 0 1 -1\n2 0 0 9 0 1 1\n3 0 -2 0 0 0.4 2\n4 0 2 0 0 0.4 2\n5 0 0 0.3 1 0.4 2\n";
 

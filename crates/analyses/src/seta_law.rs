@@ -38,9 +38,14 @@ impl<'s> SetaLawCoarsening<'s> {
                 "Remove [time].",
             ));
         }
-        if table.tip_law == SetaTipLaw::Table {
+        let instead = match table.tip_law {
+            SetaTipLaw::Curve => None,
+            SetaTipLaw::Table => Some("they follow a table"),
+            SetaTipLaw::Beam => Some("their spatulae are beams"),
+        };
+        if let Some(instead) = instead {
             return Err(Refusal::scene(
-                "the law of a seta is made of tips that follow the curve of their pull, and here they follow a table",
+                format!("the law of a seta is made of tips that follow the curve of their pull, and here {instead}"),
                 "Give seta.tip_law = \"curve\".",
             ));
         }

@@ -191,7 +191,7 @@ pub static KEYS: &[Key] = &[
     key(&SETA, "lateral_stiffness", Optional, Kind::Bound(Stiffness, |s| &mut s.seta_table().lateral_stiffness), "stiffness that holds tips; none: they slide").titled("stiffness that holds attached tips", "k"),
     key(&SETA, "contact_height", Optional, Kind::Measure(Length, Range::ROUNDING_LENGTH, |s| &mut s.seta_table().contact_height), "height at which a detached tip adheres again").titled("height at which a detached tip adheres again", ""),
     key(&SETA, "preload", Optional, Kind::Bound(Force, |s| &mut s.seta_table().preload), "presses the seta on first; none: it adheres").titled("preload", ""),
-    key(&SETA, "tip_law", Optional, Kind::Setting(&seta::TIP_LAW), "what tips follow: the curve of their pull, or their table"),
+    key(&SETA, "tip_law", Optional, Kind::Setting(&seta::TIP_LAW), "what tips follow: curve or table of their pull; or beams"),
     key(&SETA, "tip_table", Optional, Kind::Setting(&seta::TIP_TABLE), "folder of peel coarsen with it; none: it is computed"),
     key(&SETA, "tip_tolerance", Optional, Kind::Number(TIP_TOLERANCES, |s| &mut s.seta_table().tip_tolerance), "error that it may have, relative to the largest force").titled("relative error of the table of the tips", ""),
     key(&SETA, "resolve_within", Optional, Kind::Bound(Length, |s| &mut s.seta_table().resolve_within), "tips so near to snapping off are solved; none: by the table").titled("distance to snapping off from which tips are resolved", ""),

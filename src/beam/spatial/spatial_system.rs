@@ -34,7 +34,7 @@ pub(super) const MOVED: f64 = 0.3;
 /// A beam of which less than this share of the process zone adheres is loose.
 const LOOSE: f64 = 0.1;
 /// One step takes a loose beam no nearer to the ground than this share of its distance.
-const NEARER: f64 = 0.6;
+pub(super) const NEARER: f64 = 0.6;
 
 impl SpatialBeam {
     fn nodes(&self, values: &[f64]) -> usize {

@@ -52,11 +52,6 @@ pub enum SetaError {
     /// A start below the ground.
     #[error("the seta starts {height} nm above the ground: give zero or more")]
     Above { height: f64 },
-    /// A seta of beams that begins above the ground.
-    #[error(
-        "the loading begins {height} nm above the ground, and the spatulae of a seta of beams adhere at the start: begin with them adhering"
-    )]
-    NotAdhering { height: f64 },
     /// The tree of its beams.
     #[error("the beams of the seta: {0}")]
     Tree(#[from] TreeError),

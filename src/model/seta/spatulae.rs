@@ -47,6 +47,12 @@ impl SetaOfBeams {
         self.spatula.sections.law.law().adhering_distance()
     }
 
+    /// Half of the height of the section in the middle of a spatula, nm.
+    pub fn half_height(&self) -> f64 {
+        let [_, height] = self.spatula.sections.profile.outline(0.5 * self.spatula.length);
+        0.5 * height
+    }
+
     /// Number of the branch that is the spatula of a tip.
     pub fn spatula_of(&self, tip: usize) -> usize {
         self.seta.joints() - 1 + tip

@@ -91,6 +91,17 @@ impl EventQuantity {
         if let Self::Named(quantity) = self { Some(*quantity) } else { None }
     }
 
+    /// Its value in an equilibrium of a seta; 0 of what a seta does not have.
+    pub(in crate::study) fn of_seta(&self, state: &SetaState) -> f64 {
+        match self {
+            Self::Named(StationQuantity::Displacement) => state.point.displacement,
+            Self::Named(StationQuantity::Force) => state.point.force_along,
+            Self::Named(StationQuantity::Attached) => state.point.attached as f64,
+            Self::OfSeta(of) => of(state),
+            Self::Named(_) | Self::OfBeam(_) => 0.0,
+        }
+    }
+
     /// Its name in a scene; `own` where it is a function of the caller.
     pub fn name(&self) -> &'static str {
         self.named().map_or("own", StationQuantity::name)

@@ -68,6 +68,16 @@ impl SetaLoading {
         Ok(())
     }
 
+    /// How high the seta starts above where the plane of its tips is the ground, nm.
+    pub(super) fn above(&self) -> f64 {
+        if let SetaStart::Above(height) = self.start { height } else { 0.0 }
+    }
+
+    /// How deep the root of a seta with a brush so high can be pressed, nm.
+    pub(super) fn deepest(&self, brush_height: f64) -> f64 {
+        self.above() + brush_height
+    }
+
     /// Of a seta that adheres at the start: pulled along a direction until no tip adheres, at most `most` nm.
     pub fn pull(direction: [f64; 3], most: f64) -> Self {
         Self { start: SetaStart::Adhering, steps: vec![SetaStep { direction, until: StepEnd::Detached(most) }] }

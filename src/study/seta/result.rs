@@ -4,6 +4,7 @@ use super::standing::Standing;
 use crate::model::seta::tip_law::{AdheringTip, TipBranch};
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
+use crate::study::asked::events::{EventAction, EventAt};
 use crate::study::asked::stop_criteria::Bound;
 use crate::study::states::seta_state::{LocationError, SetaPoint, SetaState};
 use serde::{Deserialize, Serialize};
@@ -235,6 +236,29 @@ impl SetaPullOff {
 }
 
 impl SetaPullOff {
+    /// Keeps stations and events of the user that a jump from one equilibrium to another passes, of which the last two points are those.
+    ///
+    /// # Errors
+    /// The end of a run that such an event stops.
+    pub(super) fn take_jump(
+        &mut self,
+        events: &[EventAt],
+        before: &SetaState,
+        behind: &SetaState,
+    ) -> Result<(), SetaEnd> {
+        let after = self.points.len() - 2;
+        for (event, at) in events.iter().enumerate() {
+            let value = |state: &SetaState| at.quantity.of_seta(state);
+            if at.passes(value(before), value(behind)) {
+                self.stations.push(SetaStation { event, point: behind.point, location: None, jumped: true, after });
+                if at.action == EventAction::Stop {
+                    return Err(SetaEnd::Bound(Bound::Event { name: at.name.clone() }));
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Of nothing.
     pub(super) fn empty(elements: usize) -> Self {
         Self {

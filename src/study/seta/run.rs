@@ -7,14 +7,12 @@ use super::loss::{Critical, Loss};
 use super::rest::{Rested, come_to_rest};
 use super::result::{EventCause, Mark, Named, SetaEnd, SetaEvent, SetaFailure, SetaProgress, SetaPullOff, SetaStation};
 use super::standing::{RootDrive, Standing, TipTangent};
-use crate::beam::spatial::section::kinematics::SPATIAL_UNKNOWNS;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, solve};
 use crate::solve::state::{Observables, PathConstraint, State};
-use crate::solve::system::System;
 use crate::solve::workspace::Workspace;
 use crate::study::asked::events::{EventAction, EventQuantity, StationQuantity};
 use crate::study::asked::stop_criteria::{Bound, Stage, StopCriteria};
@@ -25,8 +23,6 @@ use crate::study::states::seta_state::{JointPlace, LocationError, SetaPoint, Set
 const SHORTEST: f64 = 1e-7;
 /// A preload is met to this share.
 const PRELOADED: f64 = 1e-9;
-/// Numbers of a node in a state
-const NODE: usize = 7;
 
 /// Pulls a seta off as the loading says, from its start.
 ///
@@ -110,12 +106,9 @@ impl<'a> Run<'a> {
         }
         let mut result = SetaPullOff::empty(standing.tree.elements());
         let mut from = rest;
-        let mut at = standing.tree.stress_free(0);
-        if let SetaStart::Above(height) = loading.start {
-            from[1] += height;
-            let unknowns = standing.tree.unknowns(&at);
-            raise(&mut at, unknowns, height);
-        }
+        let above = loading.above();
+        from[1] += above;
+        let at = standing.tree.stress_free_above(above);
         let drive = RootDrive::new(loading.steps[0].direction, from);
         match come_to_rest(&mut standing, &drive, (at, 0.0), &[], options.tolerance, &mut ws) {
             Ok(Rested { solution, iterations, .. }) => {
@@ -187,7 +180,7 @@ impl<'a> Run<'a> {
                 StepEnd::Detached(most) => most - here.displacement,
                 StepEnd::Preload(preload) if here.force >= preload * (1.0 - PRELOADED) => return Ok(()),
                 StepEnd::Preload(preload) => {
-                    let displacement = self.deepest();
+                    let displacement = self.loading.deepest(self.standing.model.seta.brush_height);
                     if here.displacement >= displacement {
                         let step = self.progress.step;
                         return Err(SetaEnd::Failed(SetaFailure::NoPreload { step, preload, displacement }));
@@ -358,25 +351,9 @@ impl<'a> Run<'a> {
     }
 
     /// The same where the seta has jumped from one equilibrium to another, with its root held.
-    fn look_at_jump(&mut self, before: SetaPoint, from: &SetaState) -> Result<(), SetaEnd> {
-        let (stop, point) = (self.stop, self.last());
+    fn look_at_jump(&mut self, from: &SetaState) -> Result<(), SetaEnd> {
         let behind = self.state(&self.progress.here, None);
-        let after = self.progress.result.points.len() - 2;
-        for (event, at) in stop.events.iter().enumerate() {
-            let value = |point: &SetaPoint, state: &SetaState| match &at.quantity {
-                EventQuantity::Named(StationQuantity::Force) => point.force_along,
-                EventQuantity::Named(StationQuantity::Attached) => point.attached as f64,
-                EventQuantity::OfSeta(of) => of(state),
-                EventQuantity::Named(_) | EventQuantity::OfBeam(_) => 0.0,
-            };
-            if at.passes(value(&before, from), value(&point, &behind)) {
-                self.progress.result.stations.push(SetaStation { event, point, location: None, jumped: true, after });
-                if at.action == EventAction::Stop {
-                    return Err(SetaEnd::Bound(Bound::Event { name: at.name.clone() }));
-                }
-            }
-        }
-        Ok(())
+        self.progress.result.take_jump(&self.stop.events, from, &behind)
     }
 
     /// The force has a maximum where the run stands, as the step behind it says.
@@ -436,18 +413,14 @@ impl<'a> Run<'a> {
                 .map(|joint| tree.between_joints(at, joint - 1).into_iter().map(JointPlace::from).collect())
                 .collect(),
             tips: self.standing.tip_states(&solution.at),
+            spatulae: Vec::new(),
+            raised: 0.0,
         }
     }
 
     fn last(&self) -> SetaPoint {
         self.progress.result.points.last().copied().unwrap_or_default()
     }
-}
-
-/// Moves all nodes up, nm.
-fn raise(at: &mut State, unknowns: usize, height: f64) {
-    let nodes = unknowns / SPATIAL_UNKNOWNS;
-    at.values[..nodes * NODE].chunks_exact_mut(NODE).for_each(|node| node[1] += height);
 }
 
 /// What a step leads to, and has not happened yet.
@@ -504,7 +477,7 @@ impl Run<'_> {
         self.progress.result.points.push(after);
         self.progress.result.events.push(SetaEvent { before, after, cause, tips: changes, released });
         self.keep_peak(after, Some(location));
-        self.look_at_jump(before, &left)
+        self.look_at_jump(&left)
     }
 
     /// Whether the last event was one here in which beams buckled and no tip followed: it led back to where it began.
@@ -541,12 +514,6 @@ impl Run<'_> {
         let work = result.points.last().map_or(0.0, |last| last.work);
         let share = missing.abs() / turnover;
         SetaEnd::Failed(SetaFailure::Unaccounted { missing, work, share, balance })
-    }
-
-    /// How deep the root can be pressed, nm.
-    fn deepest(&self) -> f64 {
-        let above = if let SetaStart::Above(height) = self.loading.start { height } else { 0.0 };
-        above + self.standing.model.seta.brush_height
     }
 
     fn bound(&self) -> Option<Bound> {

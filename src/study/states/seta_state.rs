@@ -83,6 +83,21 @@ pub struct SetaState {
     pub between: Vec<Vec<JointPlace>>,
     /// Tip by tip
     pub tips: Vec<TipState>,
+    /// Tip by tip where spatulae are beams, else empty
+    #[serde(default)]
+    pub spatulae: Vec<SpatulaState>,
+    /// By how much all joints stand higher than those of the seta, nm: on spatulae that are beams
+    #[serde(default)]
+    pub raised: f64,
+}
+
+/// A spatula that is a beam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SpatulaState {
+    /// Half of the height of its section in the middle, nm
+    pub radius: f64,
+    /// From the end of its shaft to its free end
+    pub sections: Vec<BranchSection>,
 }
 
 // -- The branches of a seta in an equilibrium, section by section, from its joints and from the forces on its tips alone --
@@ -99,7 +114,7 @@ const LINES: [usize; 9] = [12, 8, 6, 6, 4, 4, 4, 3, 3];
 pub struct SetaBranch {
     /// Forks between it and the root: 0 of the shaft
     pub generation: usize,
-    /// Of its round section, nm
+    /// Of its round section; of a spatula half of its height, nm
     pub radius: f64,
     /// From the joint nearer to the root on, evenly
     pub sections: Vec<BranchSection>,
@@ -124,12 +139,27 @@ impl SetaState {
             joints: (0..seta.joints()).map(joint).collect(),
             between: vec![Vec::new(); seta.joints() - 1],
             tips: (0..seta.tips()).map(tip).collect(),
+            spatulae: Vec::new(),
+            raised: 0.0,
         }
     }
 
-    /// All branches: branch b ends at joint b + 1.
+    /// The same with all its joints higher, nm.
+    pub fn raised_by(mut self, height: f64) -> Self {
+        self.joints.iter_mut().for_each(|joint| joint.place[1] += height);
+        Self { raised: self.raised + height, ..self }
+    }
+
+    /// All branches: branch b ends at joint b + 1. Spatulae that are beams come behind them.
     pub fn branches(&self, seta: &Seta) -> Vec<SetaBranch> {
-        (1..seta.joints()).map(|joint| self.branch(seta, joint)).collect()
+        let spatulae = self.spatulae.iter().zip(&self.tips).map(|(own, tip)| SetaBranch {
+            generation: seta.forks + 1,
+            radius: own.radius,
+            sections: own.sections.clone(),
+            tip: None,
+            attached: tip.on.adheres(),
+        });
+        (1..seta.joints()).map(|joint| self.branch(seta, joint)).chain(spatulae).collect()
     }
 
     /// Of the branch that ends at a joint: its axis.

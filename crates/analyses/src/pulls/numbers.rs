@@ -103,7 +103,7 @@ impl Pulls {
                 Ok(of_solid(&peel.map_err(|error| error.to_string())?))
             }
             Described::Array(table) => Ok(of_array(&pulled_array(scene, table, stop)?)),
-            Described::Seta(table) => Ok(of_seta(&self.setae.followed(scene, table, stop)?.1)),
+            Described::Seta(table) => Ok(of_seta(self.setae.followed(scene, table, stop)?.pull_off())),
             Described::Peel => Err(A_PEEL.to_owned()),
         }
     }

@@ -1,12 +1,16 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
 use crate::outcome::Refusal;
-use peelkit::model::{PeelModel, PullCurve, SetaModel, TipLaw};
+use peelkit::model::{PeelModel, PullCurve, SetaError, SetaMesh, SetaModel, SetaOfBeams, TipLaw};
+use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::coarsening::{
     AfterRound, Coarsening, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable,
     pull_off_by_table,
 };
-use peelkit::study::{self, Accuracy, Choice, SetaOptions, SetaPullOff, SetaResult, SpatulaCurveError, StopCriteria};
+use peelkit::study::{
+    self, Accuracy, BeamsPullOff, Choice, ConvergedPeak, SetaOptions, SetaPullOff, SetaResult, SpatulaCurveError,
+    StopCriteria,
+};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
 use std::sync::{Arc, OnceLock};
 
@@ -28,6 +32,8 @@ pub enum TipLawOf {
     Curve,
     /// A table, which grows
     Table(Box<GrowingTable>),
+    /// None: their spatulae are beams
+    Beam,
 }
 
 /// Why there is no table of the tips.
@@ -97,6 +103,7 @@ impl TipLawOf {
     pub fn new(scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<Self, NoTable> {
         Ok(match table.tip_law {
             SetaTipLaw::Curve => Self::Curve,
+            SetaTipLaw::Beam => Self::Beam,
             SetaTipLaw::Table => Self::Table(Box::new(growing(scene, table, first_table(scene, table, stop)?, stop)?)),
         })
     }
@@ -116,7 +123,7 @@ impl TipLawOf {
     /// The table as it is now, if there is one.
     pub fn growing(&self) -> Option<&GrowingTable> {
         match self {
-            Self::Curve => None,
+            Self::Curve | Self::Beam => None,
             Self::Table(growing) => Some(growing),
         }
     }
@@ -127,6 +134,76 @@ pub fn model(scene: &Scene, table: &SetaTable, law: Arc<dyn TipLaw>) -> SetaMode
     let mut model = SetaModel::new(table.seta.clone(), law);
     model.mesh.order = scene.accuracy.choice.order.unwrap_or(model.mesh.order);
     model
+}
+
+/// Order of the elements of a seta of beams, and how many a spatula has, where the scene does not say it.
+const BEAM_ORDER: usize = 5;
+const BEAM_ELEMENTS: usize = 32;
+/// First step of the root of a seta of beams, nm.
+const FIRST_STEP: f64 = 0.1;
+
+/// The seta of a scene whose spatulae are beams, or why there is none.
+pub fn of_beams(scene: &Scene, table: &SetaTable) -> Result<SetaOfBeams, String> {
+    let spatula = scene.tip_model().branch().map_err(|error| format!("a tip cannot be a beam in space: {error}"))?;
+    let Choice { order, elements, .. } = scene.accuracy.choice;
+    let mesh = SetaMesh { order: order.unwrap_or(BEAM_ORDER), ..SetaMesh::usual(table.seta.levels()) };
+    Ok(SetaOfBeams { seta: table.seta.clone(), mesh, spatula, elements: elements.unwrap_or(BEAM_ELEMENTS) })
+}
+
+/// How the path of a seta of beams is stepped.
+pub fn path_options(scene: &Scene) -> PathOptions {
+    let usual = PathOptions { pace: Pace::Wary, first_displacement: FIRST_STEP, ..PathOptions::default() };
+    PathOptions { step_tolerance: scene.accuracy.choice.step.unwrap_or(usual.step_tolerance), ..usual }
+}
+
+/// A seta that was pulled off.
+pub enum PulledSeta {
+    /// Its tips follow a law.
+    ByLaw(SetaModel, SetaPullOff),
+    /// Its spatulae are beams.
+    OfBeams(SetaOfBeams, BeamsPullOff),
+}
+
+impl PulledSeta {
+    /// Its pull-off.
+    pub fn pull_off(&self) -> &SetaPullOff {
+        match self {
+            Self::ByLaw(_, found) => found,
+            Self::OfBeams(_, found) => &found.result,
+        }
+    }
+
+    /// Of it its pull-off alone.
+    pub fn into_pull_off(self) -> SetaPullOff {
+        match self {
+            Self::ByLaw(_, found) => found,
+            Self::OfBeams(_, found) => found.result,
+        }
+    }
+
+    /// Order of its elements.
+    pub fn order(&self) -> usize {
+        match self {
+            Self::ByLaw(model, _) => model.mesh.order,
+            Self::OfBeams(model, _) => model.mesh.order,
+        }
+    }
+
+    /// Its peak on finer meshes.
+    pub fn peak(
+        &self,
+        scene: &Scene,
+        table: &SetaTable,
+        stop: &StopCriteria,
+    ) -> Result<Option<ConvergedPeak>, SetaError> {
+        let (loading, wanted) = (scene.seta_loading(table), scene.accuracy.relative);
+        match self {
+            Self::ByLaw(model, found) => study::converged_peak(model, &loading, &options(scene), found, wanted, stop),
+            Self::OfBeams(model, found) => {
+                study::peak_of_beams_on_finer_mesh(model, &loading, &path_options(scene), found, stop)
+            }
+        }
+    }
 }
 
 /// How the pull-off of a scene is computed.
@@ -162,6 +239,7 @@ impl Setae {
         let _ = match table.tip_law {
             SetaTipLaw::Curve => self.curve(scene).map(drop),
             SetaTipLaw::Table => self.table(scene, table, stop).map(drop),
+            SetaTipLaw::Beam => Ok(()),
         };
     }
 
@@ -177,23 +255,21 @@ impl Setae {
         table: &SetaTable,
         stop: &StopCriteria,
     ) -> Result<(SetaPullOff, SetaResult), String> {
-        let (model, pull_off) = self.followed(scene, table, stop)?;
-        let (loading, options, wanted) = (scene.seta_loading(table), options(scene), scene.accuracy.relative);
-        let peak = study::converged_peak(&model, &loading, &options, &pull_off, wanted, stop);
-        let peak = peak.map_err(|error| error.to_string())?;
-        let found = SetaResult::new(&pull_off, peak.as_ref());
-        Ok((pull_off, found))
+        let pulled = self.followed(scene, table, stop)?;
+        let peak = pulled.peak(scene, table, stop).map_err(|error| error.to_string())?;
+        let found = SetaResult::new(pulled.pull_off(), peak.as_ref());
+        Ok((pulled.into_pull_off(), found))
     }
 
-    /// The pull-off of the seta of a scene on the mesh of its curve, and what was pulled off, likewise.
-    pub fn followed(
-        &self,
-        scene: &Scene,
-        table: &SetaTable,
-        stop: &StopCriteria,
-    ) -> Result<(SetaModel, SetaPullOff), String> {
+    /// The pull-off of the seta of a scene on the mesh of its curve, likewise.
+    pub fn followed(&self, scene: &Scene, table: &SetaTable, stop: &StopCriteria) -> Result<PulledSeta, String> {
         let (loading, options) = (scene.seta_loading(table), options(scene));
         let (model, pull_off) = match table.tip_law {
+            SetaTipLaw::Beam => {
+                let (model, options) = (of_beams(scene, table)?, path_options(scene));
+                let found = study::pull_off_of_beams(&model, &loading, &options, stop, None, &mut |_, _| {});
+                return found.map(|found| PulledSeta::OfBeams(model, found)).map_err(|error| error.to_string());
+            }
             SetaTipLaw::Curve => {
                 let model = self.model(scene, table)?;
                 let pull_off = study::pull_off(&model, &loading, &options, stop);
@@ -212,7 +288,7 @@ impl Setae {
                 (of(Arc::new(growing.law(table.sideways()))), pull_off)
             }
         };
-        pull_off.map(|pull_off| (model, pull_off)).map_err(|error| error.to_string())
+        pull_off.map(|pull_off| PulledSeta::ByLaw(model, pull_off)).map_err(|error| error.to_string())
     }
 
     /// The seta of a scene, whose tips follow the curve.

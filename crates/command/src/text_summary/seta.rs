@@ -4,12 +4,12 @@ use super::found::passed_lines;
 use super::number::in_columns;
 use super::number::short;
 use super::units::{Unit, Units};
-use peelkit::model::{PullCurve, SetaModel};
+use peelkit::model::{PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit::units::PreferredUnits;
 use peelkit_report::{PassedAt, SetaLawFound, SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, SetaTipLaw};
 
 /// A work or a force below this share of the largest is round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -17,7 +17,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// The summary of a pull-off with its peak on finer meshes, which took so many seconds with the law of its tips.
 pub fn seta(
     scene: &Scene,
-    model: &SetaModel,
+    (seta, order): (&Seta, usize),
     (tip, table, outside): (&PullCurve, Option<&GrowingTable>, Option<&OutsideTable>),
     (pull_off, converged): (&SetaPullOff, Option<&ConvergedPeak>),
     solve_s: f64,
@@ -31,7 +31,7 @@ pub fn seta(
     ];
     let units = Units::fitting(wanted, sizes);
     let Units { force, length, work } = units;
-    let tips = model.seta.tips();
+    let tips = seta.tips();
     let counted = if tips == 1 { "1 tip".to_owned() } else { format!("{tips} tips") };
     let at = |moment: Option<SetaMoment>| match moment {
         Some(at) => format!(
@@ -45,9 +45,12 @@ pub fn seta(
     let of = |state: &Option<SetaState>| state.as_ref().map(SetaMoment::from);
     let of_tip = tip_peak(tip);
     let events = TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..]));
+    let of_beams = scene.seta.as_ref().is_some_and(|table| table.tip_law == SetaTipLaw::Beam);
+    let (law, alone) =
+        if of_beams { ("tips", "spatulae that are beams; one alone in the plane: ") } else { ("law of a tip", "") };
     let mut lines = vec![
-        ("seta", format!("{counted}, {} elements of order {}", model.mesh.total(&model.seta), model.mesh.order)),
-        ("law of a tip", format!("peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
+        ("seta", format!("{counted}, {} elements of order {order}", pull_off.effort.elements)),
+        (law, format!("{alone}peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),
     ];
     lines.extend(table.into_iter().flat_map(|table| of_table(table, force)));
     lines.extend(before_the_pull(pull_off, force));
@@ -68,7 +71,7 @@ pub fn seta(
     let looked_for = scene.looked_for();
     lines.extend(passed_lines(&PassedAt::of_pull_off(pull_off, &looked_for), &looked_for, &units));
     if let Some(peak) = &pull_off.peak {
-        lines.push(("error of the mesh", mesh_error(converged, peak, scene.accuracy.relative)));
+        lines.push(("error of the mesh", mesh_error(converged, peak, (scene.accuracy.relative, of_beams))));
     }
     if let (Some(first), Some(last)) = (pull_off.points.first(), pull_off.points.last()) {
         let largest = largest(|point| point.work.abs());
@@ -112,12 +115,14 @@ fn before_the_pull(pull_off: &SetaPullOff, force: Unit) -> Option<(&'static str,
 }
 
 /// What the mesh does to the peak force, and to the curve.
-fn mesh_error(converged: Option<&ConvergedPeak>, of_curve: &SetaState, wanted: f64) -> String {
+fn mesh_error(converged: Option<&ConvergedPeak>, of_curve: &SetaState, (wanted, of_beams): (f64, bool)) -> String {
+    let key = if of_beams { "accuracy.elements" } else { "accuracy.order" };
     let Some(ConvergedPeak { peak, mesh, order, .. }) = converged else {
-        return "not known: no finer mesh came to this peak, and a larger accuracy.order may".to_owned();
+        return format!("not known: no finer mesh came to this peak, and a larger {key} may");
     };
     let [share, curve] = [mesh.force, of_curve.point.force_along - peak.force].map(|off| (off / peak.force).abs());
-    let more = if share > wanted { ", more than accuracy.relative: a larger accuracy.order has less" } else { "" };
+    let more = format!(", more than accuracy.relative: a larger {key} has less");
+    let more = if share > wanted { more.as_str() } else { "" };
     format!("{share:.0e} of the peak force, of order {order}{more}; {curve:.0e} of that of the curve")
 }
 

@@ -47,6 +47,7 @@ const TEMPLATES: &[Template] = templates![
     "profile" "a beam of any outline, given piece by piece",
     "seta" "a gecko's seta: a shaft that forks into 256 spatulae",
     "seta-tree" "a seta drawn joint by joint, of 13 tips",
+    "seta-of-beams" "a fork with two spatulae that are beams, in one equilibrium",
     "patch" "3600 setae on a rigid backing, event by event",
     "lamella" "an elastic band on 60 rows of setae, lifted at its end",
     "toe" "a pad with 12 lamellae",

@@ -15,9 +15,19 @@ pub enum SetaTipLaw {
     Curve,
     /// The table of their spatula: a function of height and rotation
     Table,
+    /// None: their spatulae are beams that adhere, in one equilibrium with the seta
+    Beam,
 }
 
-pub(crate) const TIP_LAWS: [(&str, SetaTipLaw); 2] = [("curve", SetaTipLaw::Curve), ("table", SetaTipLaw::Table)];
+pub(crate) const TIP_LAWS: [(&str, SetaTipLaw); 3] =
+    [("curve", SetaTipLaw::Curve), ("table", SetaTipLaw::Table), ("beam", SetaTipLaw::Beam)];
+
+impl SetaTipLaw {
+    /// Its name in a scene.
+    pub fn name(self) -> &'static str {
+        TIP_LAWS.iter().find(|named| named.1 == self).map_or("", |named| named.0)
+    }
+}
 
 /// A seta as a scene gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +92,7 @@ impl SetaTable {
     pub(crate) fn start(&self) -> SetaStart {
         let clearance = match self.tip_law {
             SetaTipLaw::Curve => CLEARANCE,
-            SetaTipLaw::Table => OUT_OF_REACH,
+            SetaTipLaw::Table | SetaTipLaw::Beam => OUT_OF_REACH,
         };
         match self.preload {
             None => SetaStart::Adhering,

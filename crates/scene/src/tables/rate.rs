@@ -154,6 +154,7 @@ fn not_covered_of_seta(scene: &Scene, table: &TimeTable, seta: &SetaTable) -> Op
         (seta.preload.is_some(), "rate", "is given, and the `seta.preload` of the scene"),
         (!scene.model.steps.is_empty(), "rate", "is given, and what the `drive.steps` of the scene do"),
         (seta.tip_law == SetaTipLaw::Table, "rate", "is given, and a seta whose tips follow a table"),
+        (seta.tip_law == SetaTipLaw::Beam, "rate", "is given, and a seta whose spatulae are beams"),
     ];
     let (_, key, what) = not_covered.into_iter().find(|(is_there, ..)| *is_there)?;
     let problem = ValueError::new(

@@ -14,10 +14,10 @@ use crate::beam::spatial::chain::spatial_chain::no_values;
 use crate::beam::spatial::rotation::Quaternion;
 use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
-use crate::beam::spatial::spatial_system::MOVED;
+use crate::beam::spatial::spatial_system::{MOVED, NEARER};
 use crate::number::F64x4;
 use crate::solve::state::{MONITORS, Mesh, State};
-use std::sync::Arc;
+use crate::solve::system::System;
 
 const N: usize = SPATIAL_FIELDS;
 /// Numbers that the mesh of a branch follows.
@@ -119,6 +119,23 @@ impl BeamTree {
         self.on_mesh(at, mesh, |from, ends| from.resampled(ends))
     }
 
+    /// A state of a tree with the same joints and branches, read off on the elements of this one, whose order is the same.
+    pub fn read_from(&self, other: &Self, at: &State) -> State {
+        let mesh = self.mesh_near(&at.mesh.follows, &Mesh::default());
+        let (joints, angles) = (self.joints() * N, self.ends.len() * ANGLES);
+        let mut values = vec![0.0; self.nodes * N + angles];
+        values[..joints].copy_from_slice(&at.values[..joints]);
+        values[self.nodes * N..].copy_from_slice(&at.values[other.nodes * N..]);
+        for (branch, from) in self.branches.iter().zip(other.branches.iter()) {
+            let fields = other.along(at, from);
+            let along = FieldsAlong { basis: &self.basis, boundaries: from.ends(&at.mesh), fields: &fields };
+            let read = along.resampled(branch.ends(&mesh));
+            let inside = &read[N..read.len() - N];
+            values[branch.first_node * N..][..inside.len()].copy_from_slice(inside);
+        }
+        State { values, mesh, ..at.clone() }
+    }
+
     fn on_mesh(&self, at: &State, mesh: Mesh, read: impl Fn(&FieldsAlong, &[f64]) -> Vec<f64>) -> State {
         let mut next = State { mesh, ..at.clone() };
         for Following { branch, .. } in self.following() {
@@ -195,6 +212,13 @@ impl BeamTree {
         State { values, mesh, force: 0.0, history: None }
     }
 
+    /// The stress-free state, with all nodes higher, nm.
+    pub fn stress_free_above(&self, height: f64) -> State {
+        let mut at = self.stress_free(0);
+        at.values[..self.nodes * N].chunks_exact_mut(N).for_each(|node| node[1] += height);
+        at
+    }
+
     /// What the heights of the nodes are measured by, nm: by the scale of the tree, or, where a branch adheres, by how far the lowest point of the
     /// section is from where it is at rest, and the gap scale of the law, if that is less. Along the ground nothing changes as they slide.
     pub(super) fn height_units(&self, at: &State) -> Vec<f64> {
@@ -234,12 +258,24 @@ impl BeamTree {
         nearest
     }
 
+    /// The branches that adhere where they are near to the ground, each by its number.
+    fn over_ground(&self) -> impl Iterator<Item = (usize, &AdheringSections)> {
+        let adheres = |(b, branch): (usize, &'_ TreeBranch)| branch.density.adhesion.is_some().then_some(b);
+        let all = self.branches.iter().enumerate().filter_map(adheres);
+        all.filter_map(|b| Some((b, &**self.branches[b].adhering.as_ref()?)))
+    }
+
     /// Whether no branch that adheres is where its law has no place for it.
     pub(super) fn is_above_ground(&self, at: &State) -> bool {
-        self.branches.iter().enumerate().all(|(b, branch)| {
-            let clearance = |own: &Arc<AdheringSections>| own.barrier().clearance(self.nearest(at, b));
-            let own = branch.adhering.as_ref().filter(|_| branch.density.adhesion.is_some());
-            own.is_none_or(|own| clearance(own) > 0.0)
+        self.over_ground().all(|(b, own)| own.barrier().clearance(self.nearest(at, b)) > 0.0)
+    }
+
+    /// Whether a step takes no branch that is beyond the reach of its law much nearer to the ground.
+    pub(super) fn stays_clear(&self, from: &State, to: &State) -> bool {
+        self.over_ground().all(|(b, own)| {
+            let nearest = self.nearest(from, b);
+            let clearance = |height: f64| own.barrier().clearance(height);
+            nearest < own.law.law().adhering_distance() || clearance(self.nearest(to, b)) >= NEARER * clearance(nearest)
         })
     }
 }

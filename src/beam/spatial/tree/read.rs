@@ -10,12 +10,13 @@ use crate::beam::spatial::rotation::{Quaternion, apply, matrix};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::F64x4;
 use crate::solve::state::State;
+use serde::{Deserialize, Serialize};
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;
 
 /// A section of a branch as it lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BranchSection {
     /// x, y, z of the axis, nm
     pub place: [f64; 3],

@@ -242,6 +242,10 @@ impl System for BeamTree {
         (0..self.unknowns(at)).map(|k| size * self.scale[k % F / 3]).collect()
     }
 
+    fn admits(&self, from: &State, _: [f64; MONITORS], prediction: &State) -> bool {
+        self.stays_clear(from, prediction)
+    }
+
     fn is_admissible(&self, at: &State) -> bool {
         self.is_above_ground(at)
     }

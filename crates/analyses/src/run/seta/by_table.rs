@@ -3,8 +3,8 @@
 use super::follow::{ByTable, Followed, KeptSeta, follow};
 use super::sampler::Sampler;
 use crate::outcome::Refusal;
-use crate::pulls::seta::{NoTable, TipLawOf, model};
-use peelkit::model::{PullCurve, SetaError, SetaModel};
+use crate::pulls::seta::{NoTable, PulledSeta, TipLawOf, model};
+use peelkit::model::{PullCurve, SetaError};
 use peelkit::study::coarsening::{AfterRound, CoarseningError, OutsideTable};
 use peelkit::study::{SetaEnd, SetaLoading, SetaOptions, SetaPoint, StopCriteria};
 use peelkit_scene::{Scene, SetaTable};
@@ -23,7 +23,7 @@ pub struct Pull<'p> {
 
 /// The last pull-off, and the law of the tips in it.
 pub struct Pulled {
-    pub model: SetaModel,
+    pub of: PulledSeta,
     pub law: TipLawOf,
     pub followed: Followed,
     /// Tips that are outside of their table, which does not grow any more
@@ -44,11 +44,16 @@ impl Pull<'_> {
         let fingerprint = law.fingerprint();
         let earlier = kept.by_table(fingerprint);
         let mut growing = match law {
+            TipLawOf::Beam => {
+                let (model, found, followed) = self.of_beams(kept, see)?;
+                return Ok(Pulled { of: PulledSeta::OfBeams(model, found), law, followed, outside: None });
+            }
             TipLawOf::Curve => {
                 let model = model(scene, table, table.law(tip.clone()));
                 let sampler = Sampler::new(states);
                 let followed = follow((&model, None), (loading, options), stop, sampler, kept, see).map_err(refused)?;
-                return Ok(Pulled { model, law: TipLawOf::Curve, followed, outside: None });
+                let of = PulledSeta::ByLaw(model, followed.pull_off.clone());
+                return Ok(Pulled { of, law, followed, outside: None });
             }
             TipLawOf::Table(growing) => {
                 growing.behind(earlier).map_err(|why: CoarseningError| Refusal::from(NoTable::from(why)))?
@@ -72,7 +77,8 @@ impl Pull<'_> {
                     None
                 }
             };
-            return Ok(Pulled { model, law: TipLawOf::Table(Box::new(growing)), followed, outside });
+            let of = PulledSeta::ByLaw(model, followed.pull_off.clone());
+            return Ok(Pulled { of, law: TipLawOf::Table(Box::new(growing)), followed, outside });
         }
     }
 }

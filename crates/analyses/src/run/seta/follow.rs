@@ -5,7 +5,8 @@ use crate::session::Session;
 use peelkit::model::{SetaError, SetaModel};
 use peelkit::study::coarsening::{TableLaw, TableRound, Visited};
 use peelkit::study::{
-    self, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria, StopReason,
+    self, BeamsProgress, Bound, SetaEnd, SetaLoading, SetaOptions, SetaProgress, SetaPullOff, Stage, StopCriteria,
+    StopReason,
 };
 use peelkit_report::{Journal, JournalKind, ReportError};
 use peelkit_scene::{BoundsTable, Scene};
@@ -20,9 +21,9 @@ const PIECE: usize = 2;
 /// What is kept of a pull-off beside where it stands.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Seen {
-    sampler: Sampler,
+    pub sampler: Sampler,
     /// Of tips that follow a table
-    table: Option<SeenByTable>,
+    pub table: Option<SeenByTable>,
 }
 
 /// What pull-offs by a table that grows have come to.
@@ -40,11 +41,14 @@ pub struct SeenByTable {
 pub struct KeptSeta {
     journal: Journal,
     reached: Option<(SetaProgress, Seen)>,
+    /// The same of a seta whose spatulae are beams
+    of_beams: Option<(BeamsProgress, Sampler)>,
     taken: usize,
 }
 
 /// Under which what was reached is kept.
 const REACHED: &str = "reached";
+const OF_BEAMS: &str = "reached of beams";
 
 impl KeptSeta {
     /// Where this session keeps what it finds, with what an earlier run of the scene has left there.
@@ -54,8 +58,10 @@ impl KeptSeta {
         let journal = session.open(JournalKind::SETA, &unbound, &[])?;
         // the states that another number of them asks for are not among those that were seen
         let reached = journal.known::<(SetaProgress, Seen)>(&REACHED).filter(|(_, seen)| seen.sampler.is_like(sampler));
-        let taken = reached.as_ref().map_or(0, |(progress, _)| progress.result.points.len());
-        Ok(Self { journal, reached, taken })
+        let of_beams = journal.known::<(BeamsProgress, Sampler)>(&OF_BEAMS).filter(|(_, seen)| seen.is_like(sampler));
+        let results = [reached.as_ref().map(|own| &own.0.result), of_beams.as_ref().map(|own| &own.0.result)];
+        let taken = results.into_iter().flatten().map(|result| result.points.len()).sum();
+        Ok(Self { journal, reached, of_beams, taken })
     }
 
     /// In which it is kept.
@@ -85,6 +91,15 @@ impl KeptSeta {
 
     fn keep(&self, progress: &SetaProgress, seen: &Seen) {
         self.journal.keep(&REACHED, &(progress, seen));
+    }
+
+    /// What an earlier run of a seta of beams has come to.
+    pub fn take_of_beams(&mut self) -> Option<(BeamsProgress, Sampler)> {
+        self.of_beams.take()
+    }
+
+    pub fn keep_of_beams(&self, progress: &BeamsProgress, seen: &Sampler) {
+        self.journal.keep(&OF_BEAMS, &(progress, seen));
     }
 }
 

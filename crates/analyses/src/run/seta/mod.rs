@@ -2,6 +2,7 @@
 
 mod by_table;
 mod follow;
+mod of_beams;
 mod sampler;
 
 use super::asked::{self, Asked};
@@ -10,9 +11,9 @@ use crate::pulls::seta::{TipLawOf, options, tip_curve};
 use crate::session::{Progress, Session};
 use by_table::{Pull, Pulled};
 use follow::{Followed, KeptSeta};
-use peelkit::model::{PullCurve, SetaModel};
+use peelkit::model::{PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable};
-use peelkit::study::{self, Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState, StopCriteria};
+use peelkit::study::{Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState, StopCriteria};
 use peelkit_report::{self as report, Journal, JournalKind, PassedAt, ReportError, SetaSummary, timed};
 use peelkit_scene::{Scene, SetaTable};
 use sampler::Sampler;
@@ -49,7 +50,9 @@ impl<'s> SetaRun<'s> {
 /// The pull-off of a seta, with the law of its tips.
 pub struct SetaOutcome {
     /// What was pulled off
-    pub model: SetaModel,
+    pub seta: Seta,
+    /// Order of its elements
+    pub order: usize,
     /// The curve of the normal pull of a tip
     pub tip: PullCurve,
     /// The largest force on finer meshes, where it was found there
@@ -89,16 +92,16 @@ impl Analysis for SetaRun<'_> {
         let mut see = |point: &SetaPoint| session.watcher.see(Progress::Equilibrium(point));
         let pull = Pull { scene, table, loading: &loading, options: &options, stop: &stop, states };
         let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, &mut kept, &mut see));
-        let Pulled { model, law, followed, outside } = pulled?;
+        let Pulled { of, law, followed, outside } = pulled?;
         session.stage("peak on finer meshes");
-        let (pull_off, wanted) = (&followed.pull_off, scene.accuracy.relative);
-        let (peak, peak_s) = timed(|| study::converged_peak(&model, &loading, &options, pull_off, wanted, &plain));
+        let (peak, peak_s) = timed(|| of.peak(scene, table, &plain));
         let peak = peak.map_err(|error| Refusal::Other(error.to_string()))?;
         // nothing of what comes behind the pull-off is kept
         let asked_to_stop = session.watcher.nothing_more_is_kept();
-        let interrupted = asked_to_stop && matches!(pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+        let interrupted = asked_to_stop && matches!(followed.pull_off.end, SetaEnd::Bound(Bound::Interrupted));
         Ok(SetaOutcome {
-            model,
+            seta: table.seta.clone(),
+            order: of.order(),
             tip,
             peak,
             outside,
@@ -125,7 +128,7 @@ impl SetaOutcome {
     }
 
     fn summary<'a>(&'a self, scene: &'a Scene) -> SetaSummary<'a> {
-        SetaSummary::new(scene, &self.model.seta, &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
+        SetaSummary::new(scene, &self.seta, &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
             .with_table(self.table())
             .with_outside(self.outside.as_ref())
     }
@@ -154,7 +157,7 @@ impl Outcome for SetaOutcome {
     }
 
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
-        let (pull_off, seta) = (self.pull_off(), &self.model.seta);
+        let (pull_off, seta) = (self.pull_off(), &self.seta);
         let mut files = vec![
             self.summary(scene).with_command(command).write(dir)?,
             report::write_seta_curve(dir, pull_off)?,

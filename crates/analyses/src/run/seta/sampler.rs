@@ -4,7 +4,7 @@ use peelkit::study::SetaState;
 use serde::{Deserialize, Serialize};
 
 /// Keeps up to twice `most` states: every one at first, and every second one of these whenever there are too many.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Sampler {
     most: usize,
     every: usize,
@@ -68,7 +68,15 @@ mod tests {
 
     fn state(displacement: f64) -> SetaState {
         let point = SetaPoint { displacement, ..SetaPoint::default() };
-        SetaState { point, location: None, joints: Vec::new(), between: Vec::new(), tips: Vec::new() }
+        SetaState {
+            point,
+            location: None,
+            joints: Vec::new(),
+            between: Vec::new(),
+            tips: Vec::new(),
+            spatulae: Vec::new(),
+            raised: 0.0,
+        }
     }
 
     #[test]

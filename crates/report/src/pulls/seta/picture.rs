@@ -80,7 +80,7 @@ fn maps(moments: &[(&str, &SetaState)], seta: &Seta, Heading { title, units }: H
 /// The whole seta beside where it was stress-free, and its tips.
 fn side_views(state: &SetaState, seta: &Seta, Heading { title, units }: Heading) -> Picture {
     let pose = SetaPose::of(state, seta);
-    let rest = SetaState::stress_free(seta).branches(seta);
+    let rest = SetaState::stress_free(seta).raised_by(state.raised).branches(seta);
     let frame = |left: f64, right: f64| Frame { left, top: 56.0, right, bottom: f64::from(HEIGHT) - 56.0 };
     let middle = 0.5 * f64::from(WIDTH);
     let window = Window::around(pose.branches.iter().chain(&rest));

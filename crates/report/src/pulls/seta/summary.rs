@@ -40,7 +40,7 @@ impl Record for SetaFound<'_> {
         of.field("largest_force", "of all steps the equilibrium at which the force on the root is largest, whatever its direction; null without equilibria", |found| Largest::of(&found.pull_off.points));
         of.field("steps", "what each step of the loading came to, in their order; the pull is the last one", |found| SetaMotion::of(&found.pull_off.points));
         of.field("initial_stiffness_N_per_m", "at the beginning of the pull, by how much the force along the pull rises with the displacement, the root held in all other directions; null where the pull was not begun", |found| found.pull_off.initial_stiffness);
-        of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |found| Some(MeshError { curve: found.pull_off.peak.as_ref()?.point, converged: found.converged? }));
+        of.field("mesh_error", "of the peak, which is computed again with elements of rising order until its force changes by no more than `accuracy.relative`; where spatulae are beams, once, on half as many elements again; null where no finer mesh came to it: it is then that of the curve, and its error is not known", |found| Some(MeshError { curve: found.pull_off.peak.as_ref()?.point, converged: found.converged? }));
         of.field("first_detachment", "just before the first detachment of a tip in the pull, else null", |found| found.pull_off.first_detachment.as_ref().map(Moment::from));
         of.field("last_detachment", "just before the last one, else null", |found| found.pull_off.last_detachment.as_ref().map(Moment::from));
         of.group("events", "where tips detach or adhere again, or beams buckle, the root held", |of| {
@@ -55,11 +55,11 @@ impl Record for SetaFound<'_> {
             of.field("imbalance", "the difference, over the largest of the three", |found| found.pull_off.imbalance());
         });
         of.group("tip", "the law of each tip", |of| {
-            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula; `table`, see `tip_table`", |found| if found.table.is_some() { "table" } else { "curve" });
+            of.field("law", "what the tips follow: `curve`, the normal pull of their spatula; `table`, see `tip_table`; `beam`: nothing, their spatulae are beams", |found| found.scene.seta.as_ref().map_or("curve", |table| table.tip_law.name()));
             of.field("peak_force_nN", "largest force of the curve of its normal pull", |found| tip_peak(found.tip));
             of.part(|found| RestOfTip(found.tip));
         });
-        of.field("tip_table", "the table that the tips follow, as it is in the last pull-off; null where they follow the curve of their normal pull", |found| found.table.map(TipTableUse::of));
+        of.field("tip_table", "the table that the tips follow, as it is in the last pull-off; null where they follow none", |found| found.table.map(TipTableUse::of));
         of.field("warnings", "what is not to be trusted", |found| found.outside.into_iter().collect::<Vec<_>>());
         of.group("path", "computational cost", |of| {
             of.field("points", "equilibria of the pull-off", |found| found.pull_off.points.len());
@@ -172,7 +172,7 @@ struct MeshError<'a> {
 impl Record for MeshError<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("force_nN", "by how much the force differs from that with elements one order lower", |found| found.converged.mesh.force);
+        of.field("force_nN", "by how much the force differs from that on the mesh before", |found| found.converged.mesh.force);
         of.field("displacement_nm", "the same of the displacement", |found| found.converged.mesh.displacement);
         of.field("order", "order of the elements of the peak", |found| found.converged.order);
         of.field("curve_nN", "by how much the largest force of curve.csv, whose elements have order `accuracy.order`, differs from that of the peak", |found| (found.converged.peak.force - found.curve.force_along).abs());

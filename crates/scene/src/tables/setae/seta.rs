@@ -106,8 +106,8 @@ fn text(value: &Value) -> Result<&str, Fault> {
 
 /// `tip_law`
 pub(crate) static TIP_LAW: Setting = Setting {
-    takes: "\"curve\", the normal pull of their spatula, or \"table\", its force and moment at any height and rotation",
-    brief: "curve, table",
+    takes: "\"curve\", the normal pull of their spatula; \"table\", its force and moment at any height and rotation; or \"beam\", spatulae that are beams",
+    brief: "curve, table, beam",
     example: "\"table\"",
     form: || Form::word(&TIP_LAWS),
     read: |scene, value, _| {
@@ -117,11 +117,7 @@ pub(crate) static TIP_LAW: Setting = Setting {
             found.ok_or_else(|| Fault::whole(format!("is {}, no law of tips", quoted(word))))?.1;
         Ok(())
     },
-    write: |scene, _| {
-        let law = scene.seta.as_ref()?.tip_law;
-        let (word, _) = TIP_LAWS.iter().find(|(_, own)| *own == law)?;
-        Some(Value::Text((*word).to_owned()))
-    },
+    write: |scene, _| Some(Value::Text(scene.seta.as_ref()?.tip_law.name().to_owned())),
 };
 
 /// `tip_table`
@@ -143,36 +139,36 @@ pub(crate) static TIP_TABLE: Setting = Setting {
 
 /// What of the keys of the tips does not fit the rest: by the key of the table.
 fn problem_of_tips(table: &SetaTable) -> Option<(&'static str, ValueError)> {
-    let default = SetaTable::default();
-    match table.tip_law {
-        SetaTipLaw::Curve if table.tip_table.is_some() => Some((
-            "tip_table",
-            ValueError::new(
-                "names a table, and the tips follow the curve of their normal pull",
-                "Give seta.tip_law = \"table\", or remove `tip_table`.",
-            ),
-        )),
-        SetaTipLaw::Curve if table.tip_tolerance != default.tip_tolerance => Some((
-            "tip_tolerance",
-            ValueError::new(
-                "is that of a table, and the tips follow the curve of their normal pull",
-                "Give seta.tip_law = \"table\", or remove `tip_tolerance`.",
-            ),
-        )),
-        SetaTipLaw::Curve if table.resolve_within.is_some() => Some((
-            "resolve_within",
-            ValueError::new(
-                "says which tips are no longer taken from a table, and the tips follow the curve of their normal pull",
-                "Give seta.tip_law = \"table\", or remove `resolve_within`.",
-            ),
-        )),
-        SetaTipLaw::Table if table.contact_height != default.contact_height => Some((
-            "contact_height",
-            ValueError::new(
-                "is given, and tips that follow their table adhere again where the attraction pulls them down",
-                "Remove `contact_height`, or give seta.tip_law = \"curve\".",
-            ),
-        )),
-        _ => None,
+    let (default, law) = (SetaTable::default(), table.tip_law);
+    let (by_table, of_beams) = (law == SetaTipLaw::Table, law == SetaTipLaw::Beam);
+    let instead = if of_beams { "the spatulae are beams" } else { "the tips follow the curve of their normal pull" };
+    let of_a_table = [
+        (table.tip_table.is_some(), "tip_table", "names a table"),
+        (table.tip_tolerance != default.tip_tolerance, "tip_tolerance", "is that of a table"),
+        (table.resolve_within.is_some(), "resolve_within", "says which tips are no longer taken from a table"),
+    ];
+    if let Some((_, key, what)) = of_a_table.into_iter().find(|(is_given, ..)| *is_given && !by_table) {
+        let remedy = format!("Give seta.tip_law = \"table\", or remove `{key}`.");
+        return Some((key, ValueError::new(format!("{what}, and {instead}"), remedy)));
     }
+    let contact = table.contact_height != default.contact_height;
+    let not_covered = [
+        (
+            contact && by_table,
+            "contact_height",
+            "is given, and tips that follow their table adhere again where the attraction pulls them down",
+        ),
+        (
+            contact && of_beams,
+            "contact_height",
+            "is given, and spatulae that are beams adhere again where the attraction pulls them down",
+        ),
+        (
+            of_beams && table.lateral_stiffness.is_some(),
+            "lateral_stiffness",
+            "is given, and spatulae that are beams slide freely",
+        ),
+    ];
+    let (_, key, what) = not_covered.into_iter().find(|(is_given, ..)| *is_given)?;
+    Some((key, ValueError::new(what, format!("Remove `{key}`, or give seta.tip_law = \"curve\"."))))
 }
