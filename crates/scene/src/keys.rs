@@ -194,7 +194,7 @@ pub static KEYS: &[Key] = &[
     key(&SETA, "tip_law", Optional, Kind::Setting(&seta::TIP_LAW), "what tips follow: curve or table of their pull; or beams"),
     key(&SETA, "tip_table", Optional, Kind::Setting(&seta::TIP_TABLE), "folder of peel coarsen with it; none: it is computed"),
     key(&SETA, "tip_tolerance", Optional, Kind::Number(TIP_TOLERANCES, |s| &mut s.seta_table().tip_tolerance), "error that it may have, relative to the largest force").titled("relative error of the table of the tips", ""),
-    key(&SETA, "resolve_within", Optional, Kind::Bound(Length, |s| &mut s.seta_table().resolve_within), "tips so near to snapping off are solved; none: by the table").titled("distance to snapping off from which tips are resolved", ""),
+    key(&SETA, "resolve_within", Optional, Kind::Bound(Length, |s| &mut s.seta_table().resolve_within), "tips so near to snapping off are solved; none: by table").titled("distance to snapping off from which tips are resolved", ""),
     key(&SETA, "youngs_modulus", Optional, Kind::Quantity(Pressure, |s| &mut s.seta_table().seta.material.youngs_modulus), "Young's modulus E of all branches").titled("Young's modulus", "E"),
     key(&SETA, "poissons_ratio", Optional, Kind::Number(Range::POISSONS_RATIO, |s| &mut s.seta_table().seta.material.poissons_ratio), "Poisson's ratio").titled("Poisson's ratio", "ν"),
     key(&SETA, "shear_correction", Optional, Kind::Number(Range::Positive, |s| &mut s.seta_table().seta.material.shear_correction), "shear correction factor of the section").titled("shear correction factor", "k"),

@@ -76,6 +76,10 @@ impl Run<'_> {
             self.go_step(step, &drive)?;
             let reached = &mut self.reached;
             (reached.from, reached.displacement) = (drive.root(reached.displacement), 0.0);
+            // the next step counts from here
+            if let Some(here) = &mut reached.here {
+                Arc::make_mut(here).observables.displacement = 0.0;
+            }
             (reached.step, reached.losses, reached.ahead) = (reached.step + 1, 0, NUDGE);
         }
         Ok(())

@@ -77,8 +77,9 @@ impl KeptSeta {
     /// What an earlier run has come to by a table; nothing where the table was another one, and the pull-off is begun anew.
     pub fn by_table(&mut self, fingerprint: Option<u32>) -> Vec<TableRound> {
         let of = |(_, seen): &(SetaProgress, Seen)| seen.table.as_ref().and_then(|table| table.fingerprint);
-        self.reached = self.reached.take().filter(|kept| of(kept) == fingerprint);
-        self.taken = if self.reached.is_some() { self.taken } else { 0 };
+        if self.reached.as_ref().is_some_and(|kept| of(kept) != fingerprint) {
+            (self.reached, self.taken) = (None, 0);
+        }
         let table = self.reached.as_ref().and_then(|(_, seen)| seen.table.as_ref());
         table.map(|table| table.rounds.clone()).unwrap_or_default()
     }
