@@ -12,7 +12,7 @@
 //! Reference: the same seta whose tips follow the table of their spatula, which knows nothing of how a pad rolls, slides or turns about the
 //! normal; energies, because work has to be stored, in adhesion or released; the same seta pressed on, which has to be pulled off as one that adheres
 //! from the start. Parameters: the last two of the default seta's 256 tips, with the shaft and the branch that carry them. Expected: the same tip lets
-//! go first, forces within 3 %, and work that balances to 1e-4; the peak of a finer mesh within 1e-4, that of a pressed seta, whose mesh is another, within 3e-5; stations where
+//! go first, forces within 3 %, and work that balances to 5e-5; the peak of a finer mesh within 1e-4, that of a pressed seta, whose mesh is another, within 3e-5; stations where
 //! their numbers are; what is resumed the same to the last bit. The iterations are pinned.
 
 use peelkit::model::{
@@ -82,7 +82,7 @@ fn two_spatulae_let_go_as_tips_by_their_table_do() {
     print("beams", found);
     print("table", &by_table);
     assert_eq!(found.end, SetaEnd::Completed);
-    assert!(found.imbalance() < 1e-4, "{}", found.imbalance());
+    assert!(found.imbalance() < 5e-5, "{}", found.imbalance());
     let lose = |of: &SetaPullOff| -> Vec<(usize, f64)> {
         let events = of.events.iter().filter(|event| event.cause == EventCause::Tips);
         events.flat_map(|event| event.tips.iter().map(|tip| (tip.tip, event.before.force_along))).collect()
@@ -115,7 +115,7 @@ fn a_seta_that_is_pressed_on_is_pulled_off_as_one_that_adheres() {
     let [force, wanted] = [&pressed, &adhering].map(|of| of.peak.as_ref().unwrap().point.force_along);
     assert!((force / wanted - 1.0).abs() < 3e-5, "{force} {wanted}");
     let last = pressed.points.last().unwrap();
-    assert!(pressed.imbalance() < 2e-4 && last.attached == 0 && last.energy.abs() < 0.1, "{last:?}");
+    assert!(pressed.imbalance() < 5e-5 && last.attached == 0 && last.energy.abs() < 0.1, "{last:?}");
     // what presses it is met
     let before = pressed.points.iter().rfind(|point| point.step == 0).unwrap();
     assert!((before.force_along - 1.0).abs() < 1e-8, "{before:?}");
@@ -148,7 +148,7 @@ fn stations_lie_where_their_numbers_are() {
     assert!((place.displacement - 100.0).abs() < 1e-8, "{place:?}");
     assert!((force.force_along - 3.0).abs() < 1e-8, "{force:?}");
     // by the interpolated force the work is not known better than its balance
-    assert!((work.work / 500.0 - 1.0).abs() < 1e-4, "{work:?}");
+    assert!((work.work / 500.0 - 1.0).abs() < 1e-5, "{work:?}");
     assert!(place.force_along < force.force_along && force.force_along < work.force_along);
 
     events[1] = EventAt { name: "3 nN".to_owned(), ..events[1].clone() }.stopping();

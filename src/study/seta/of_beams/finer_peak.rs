@@ -1,25 +1,20 @@
 //! The largest force of a pull-off of a seta of beams on a finer mesh: from the equilibrium before it, read off on half as many elements again, the root
 //! is moved on to where the force is largest there.
 
-use super::progress::{AT_END, BeamsProgress, BeamsPullOff, BeforePeak, NUDGE, Run};
+use super::progress::{BeamsProgress, BeamsPullOff, BeforePeak, NUDGE, Run};
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaMesh;
 use crate::model::seta::spatulae::SetaOfBeams;
-use crate::solve::newton::{NewtonOptions, solve};
 use crate::solve::path::options::PathOptions;
-use crate::solve::state::{Observables, PathConstraint};
 use crate::study::asked::stop_criteria::StopCriteria;
 use crate::study::seta::converged_peak::ConvergedPeak;
 use crate::study::seta::loading::SetaLoading;
 use crate::study::seta::result::{SetaMoment, SetaPullOff};
 use crate::study::seta::standing::RootDrive;
 use crate::study::states::seta_state::LocationError;
-use std::sync::Arc;
 
 /// The finer mesh has so many times as many elements, rounded up.
 const FINER: f64 = 1.5;
-/// What was read off on other elements is near to an equilibrium, and pads may slide to it.
-const NEAR: NewtonOptions = NewtonOptions { most_iterations: 40, ..AT_END };
 /// How far behind the peak the finer mesh is followed, over the displacement there and over the way to it.
 const BEHIND: f64 = 1e-2;
 
@@ -58,13 +53,10 @@ pub fn peak_of_beams_on_finer_mesh(
     let mut nobody = |_: &_, _: Option<&_>| {};
     let mut run = Run::new(&finer, loading, options, &stop, Some(reached), &mut nobody)?;
     let drive = RootDrive::new(loading.steps[step].direction, root);
-    let held = PathConstraint { weights: Observables::DISPLACEMENT, target: at.displacement };
-    let begun = solve(&run.problem(&drive), read, &held, &NEAR, &mut run.ws);
-    let Some(begun) = begun.ok().filter(|begun| begun.negative == 0) else { return Ok(None) };
-    run.reached.here = Some(Arc::new(begun));
-    if run.follow(&loading.steps[step], &drive).is_err() {
-        return Ok(None);
-    }
+    let Ok(begun) = run.at_rest(&drive, read, at.displacement) else { return Ok(None) };
+    run.reached.here = Some(begun);
+    // what was located stays, whatever the piece ends with
+    let _ = run.follow(&loading.steps[step], &drive);
     let found = run.reached.result.peak.take().filter(|found| found.location.is_some());
     Ok(found.map(|found| ConvergedPeak {
         peak: SetaMoment::from(&found),

@@ -26,6 +26,10 @@ const TRACED: TraceOptions = TraceOptions {
     relative: LOCATED,
     behind: 2,
 };
+/// Work and energy of a step may differ by this share of the energy before the step is solved in between.
+const ROUGH: f64 = 1e-5;
+/// Steps before the one with the largest force at which a finer mesh begins.
+const WELL_BEFORE: usize = 2;
 /// Sizes by which a state is moved along its critical direction, of which that with the least energy is taken.
 const DISTURBED: [f64; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
 
@@ -50,6 +54,11 @@ pub(super) struct Stretch<'p> {
 impl Stretch<'_> {
     fn segment(&self) -> PathSegment {
         PathSegment::around(self.problem, self.points, self.after)
+    }
+
+    /// A point from which a finer mesh may come to what lies on this step.
+    fn well_before(&self) -> &Arc<Solution> {
+        &self.points[self.after.saturating_sub(WELL_BEFORE)]
     }
 }
 
@@ -172,7 +181,7 @@ impl Run<'_> {
 
     /// The force has a maximum on the way to the next point.
     fn note_maximum(&mut self, drive: &RootDrive, stretch: Stretch, located: &Located) {
-        let (mut segment, from) = (stretch.segment(), &stretch.points[stretch.after]);
+        let (mut segment, from) = (stretch.segment(), stretch.well_before());
         let label = segment.insert(located.solution.clone());
         let mut point = self.point(drive, &located.solution, self.last());
         point.work += StepCurve::interpolated(&segment, label, &located.solution).work();
@@ -196,10 +205,21 @@ impl Run<'_> {
             None => (label, to, Ok(())),
         };
         let location = location.filter(|_| end.is_ok());
-        let mut point = self.point(drive, to, self.last());
-        point.work += StepCurve::interpolated(segment, label, to).work();
+        let before = self.last();
+        let mut point = self.point(drive, to, before);
+        let work = StepCurve::interpolated(segment, label, to).work();
+        let scale = before.energy.abs().max(point.energy.abs());
+        // what the energy does not gain is an error of the interpolation, where the step is long
+        let is_rough = (work - (point.energy - before.energy)).abs() > ROUGH * scale;
+        point.work += match is_rough {
+            true => StepCurve::pieces((stretch.problem, scale), segment, label, to, &mut self.ws)
+                .iter()
+                .map(StepCurve::work)
+                .sum::<f64>(),
+            false => work,
+        };
         let state = self.push(to, point, location);
-        let from = self.before_peak(drive, &stretch.points[stretch.after]);
+        let from = self.before_peak(drive, stretch.well_before());
         self.keep_peak(&state, Some(from));
         (self.see)(&state, None);
         end

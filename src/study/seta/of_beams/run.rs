@@ -160,7 +160,12 @@ impl Run<'_> {
     }
 
     /// The stable equilibrium to which the energy falls with the root held; spatulae that come to stand on their end let go on the way.
-    fn at_rest(&mut self, drive: &RootDrive, mut at: State, displacement: f64) -> Result<Arc<Solution>, SolveError> {
+    pub fn at_rest(
+        &mut self,
+        drive: &RootDrive,
+        mut at: State,
+        displacement: f64,
+    ) -> Result<Arc<Solution>, SolveError> {
         loop {
             let (problem, held) = (self.problem(drive), Held::Displacement(displacement));
             let mut ws = std::mem::take(&mut self.ws);
