@@ -22,9 +22,10 @@ use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::coarsening::{CoarseningOptions, GrowingTable, PadEnd, TipRange, coarsen, pull_off_by_table};
 use peelkit::study::{
     BeamsProgress, BeamsPullOff, Bound, EventAt, EventCause, SetaEnd, SetaLoading, SetaOptions, SetaPullOff, SetaState,
-    StationAt, StationQuantity, StopCriteria, peak_of_beams_on_finer_mesh, pull_off_of_beams,
+    Stage, StationAt, StationQuantity, StopCriteria, StopReason, peak_of_beams_on_finer_mesh, pull_off_of_beams,
 };
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn seta() -> Seta {
     let brush_height = 28_000.0 * 0.6f64.powi(7);
@@ -185,4 +186,21 @@ fn what_stops_it_keeps_what_it_has_reached() {
     let last = found.last.unwrap();
     assert_eq!(last.point, *found.points.last().unwrap());
     assert!(last.raised > 100.0 && last.spatulae.iter().all(|own| own.sections.last().unwrap().place[1] < 10.0));
+}
+
+/// Wherever on its way a run is told not to go on, inside of a solve as well, the next one finds what it would have found.
+#[test]
+fn what_is_told_to_stop_is_not_stuck() {
+    let whole = pulled(&upwards(), &StopCriteria::after_points(80)).result;
+    for asked in [20, 45, 71, 98, 126, 155] {
+        let count = AtomicUsize::new(0);
+        let stop = StopCriteria::default().or_when(move |stage| {
+            let is_time = stage == Stage::Path && count.fetch_add(1, Ordering::Relaxed) >= asked;
+            is_time.then_some(StopReason::Interrupted)
+        });
+        let found = pulled(&upwards(), &stop).result;
+        assert_eq!(found.end, SetaEnd::Bound(Bound::Interrupted), "{asked}");
+        assert!(found.points.len() < 80 && found.events.is_empty(), "{asked}: {} points", found.points.len());
+        assert_eq!(found.points, whole.points[..found.points.len()], "{asked}");
+    }
 }

@@ -1,7 +1,7 @@
 //! What pull-offs of setae have in common, and setae that differ from the one of a scene in some keys, pulled off one after the other, or side by side.
 
 use crate::outcome::Refusal;
-use peelkit::model::{PeelModel, PullCurve, SetaError, SetaMesh, SetaModel, SetaOfBeams, TipLaw};
+use peelkit::model::{PeelModel, PullCurve, Seta, SetaError, SetaMesh, SetaModel, SetaOfBeams, TipLaw};
 use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::coarsening::{
     AfterRound, Coarsening, CoarseningError, CoarseningOptions, GrowingTable, PadEnd, TipRange, TipTable,
@@ -178,6 +178,14 @@ impl PulledSeta {
         match self {
             Self::ByLaw(_, found) => found,
             Self::OfBeams(_, found) => found.result,
+        }
+    }
+
+    /// The seta.
+    pub fn seta(&self) -> &Seta {
+        match self {
+            Self::ByLaw(model, _) => &model.seta,
+            Self::OfBeams(model, _) => &model.seta,
         }
     }
 

@@ -210,7 +210,7 @@ fn of_peel(scene: &Scene, found: &PeelOutcome, wanted: PreferredUnits) -> String
 fn of_seta(scene: &Scene, found: &SetaOutcome, wanted: PreferredUnits) -> String {
     let (law, pulled) = ((&found.tip, found.table(), found.outside.as_ref()), (found.pull_off(), found.peak.as_ref()));
     let text =
-        text_summary::seta::seta(scene, (&found.seta, found.order), law, pulled, found.seconds.iter().sum(), wanted);
+        text_summary::seta::seta(scene, (found.seta(), found.order()), law, pulled, found.seconds.iter().sum(), wanted);
     text + &text_summary::seta::equilibria_taken(found.taken)
 }
 

@@ -110,7 +110,7 @@ impl Poses {
 
     /// States of a seta while it is pulled.
     fn of_seta(found: &SetaOutcome) -> Self {
-        let seta = &found.seta;
+        let seta = found.seta();
         let last = pulled(found.pull_off()).next().map(|point| point.step);
         let states = found.states(states_of(seta)).into_iter().filter(|state| Some(state.point.step) == last);
         let states: Vec<_> = states.map(|state| (state.point, state.branches(seta))).collect();

@@ -41,6 +41,12 @@ impl<'a> Following<'a> {
     }
 }
 
+/// Puts the fields of the nodes of a branch into the values of a state; its ends stay where they are.
+fn put_inside(values: &mut [f64], branch: &TreeBranch, fields: &[f64]) {
+    let inside = &fields[N..fields.len() - N];
+    values[branch.first_node * N..][..inside.len()].copy_from_slice(inside);
+}
+
 impl BeamTree {
     /// The branches whose meshes follow their fronts.
     fn following(&self) -> impl Iterator<Item = Following<'_>> {
@@ -129,9 +135,7 @@ impl BeamTree {
         for (branch, from) in self.branches.iter().zip(other.branches.iter()) {
             let fields = other.along(at, from);
             let along = FieldsAlong { basis: &self.basis, boundaries: from.ends(&at.mesh), fields: &fields };
-            let read = along.resampled(branch.ends(&mesh));
-            let inside = &read[N..read.len() - N];
-            values[branch.first_node * N..][..inside.len()].copy_from_slice(inside);
+            put_inside(&mut values, branch, &along.resampled(branch.ends(&mesh)));
         }
         State { values, mesh, ..at.clone() }
     }
@@ -142,9 +146,7 @@ impl BeamTree {
             let fields = self.along(at, branch);
             let from = FieldsAlong { basis: &self.basis, boundaries: branch.ends(&at.mesh), fields: &fields };
             let read = read(&from, branch.ends(&next.mesh));
-            // its ends stay where they are
-            let inside = &read[N..read.len() - N];
-            next.values[branch.first_node * N..][..inside.len()].copy_from_slice(inside);
+            put_inside(&mut next.values, branch, &read);
         }
         next
     }

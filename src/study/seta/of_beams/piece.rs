@@ -102,7 +102,10 @@ impl Run<'_> {
                     looked += 1;
                     let is_within = is_before(target, &point.observables);
                     let taken = match before {
-                        0 => self.begin(drive, &point),
+                        0 => {
+                            self.begin(drive, &point);
+                            Ok(())
+                        }
                         _ if is_within => {
                             let stretch = on(before - 1);
                             let segment = stretch.segment();
@@ -226,17 +229,17 @@ impl Run<'_> {
     }
 
     /// The first point of a path, and of a step that nothing has happened in yet.
-    fn begin(&mut self, drive: &RootDrive, at: &Arc<Solution>) -> Result<(), SetaEnd> {
-        if !self.has_begun_step() {
-            let point = self.point(drive, at, self.last());
-            let state = self.push(at, point, None);
-            if self.is_last() {
-                self.reached.result.initial_stiffness = Some(at.slope.force / at.slope.displacement);
-                self.keep_peak(&state, None);
-            }
-            (self.see)(&state, None);
+    fn begin(&mut self, drive: &RootDrive, at: &Arc<Solution>) {
+        if self.has_begun_step() {
+            return;
         }
-        Ok(())
+        let point = self.point(drive, at, self.last());
+        let state = self.push(at, point, None);
+        if self.is_last() {
+            self.reached.result.initial_stiffness = Some(at.slope.force / at.slope.displacement);
+        }
+        self.keep_peak(&state, None);
+        (self.see)(&state, None);
     }
 
     /// From where a peak behind this point is come to.

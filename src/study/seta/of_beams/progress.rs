@@ -157,14 +157,20 @@ impl Run<'_> {
             .map(Bound::Displacement)
     }
 
+    /// What has stopped a solve from outside, whether it is to stop at once or not to go on: where the path ends for that it is not stuck.
+    fn stopped_by(&self, cause: &SolveError) -> Option<Bound> {
+        let bound = || self.stop.reached_bound(Stage::Results).or_else(|| self.stop.reached_bound(Stage::Path));
+        if *cause == SolveError::Stopped { bound() } else { None }
+    }
+
     /// Whether a solve was stopped from outside.
     pub fn is_cut_short(&self, cause: &SolveError) -> bool {
-        *cause == SolveError::Stopped && self.stop.reached_bound(Stage::Results).is_some()
+        self.stopped_by(cause).is_some()
     }
 
     /// Where the run stands when it cannot go on.
     pub fn lost(&self, cause: SolveError) -> SetaEnd {
-        if let (SolveError::Stopped, Some(bound)) = (&cause, self.stop.reached_bound(Stage::Results)) {
+        if let Some(bound) = self.stopped_by(&cause) {
             return SetaEnd::Bound(bound);
         }
         let SetaPoint { displacement, attached, .. } = self.last();

@@ -1,6 +1,6 @@
 //! The pull-off of a seta, once where its tips follow a curve, and again each time the table that they follow has grown.
 
-use super::follow::{ByTable, Followed, KeptSeta, follow};
+use super::follow::{ByTable, KeptSeta, follow};
 use super::sampler::Sampler;
 use crate::outcome::Refusal;
 use crate::pulls::seta::{NoTable, PulledSeta, TipLawOf, model};
@@ -25,7 +25,8 @@ pub struct Pull<'p> {
 pub struct Pulled {
     pub of: PulledSeta,
     pub law: TipLawOf,
-    pub followed: Followed,
+    /// The states that were seen
+    pub sampler: Sampler,
     /// Tips that are outside of their table, which does not grow any more
     pub outside: Option<OutsideTable>,
 }
@@ -45,15 +46,15 @@ impl Pull<'_> {
         let earlier = kept.by_table(fingerprint);
         let mut growing = match law {
             TipLawOf::Beam => {
-                let (model, found, followed) = self.of_beams(kept, see)?;
-                return Ok(Pulled { of: PulledSeta::OfBeams(model, found), law, followed, outside: None });
+                let (model, found, sampler) = self.of_beams(kept, see)?;
+                return Ok(Pulled { of: PulledSeta::OfBeams(model, found), law, sampler, outside: None });
             }
             TipLawOf::Curve => {
                 let model = model(scene, table, table.law(tip.clone()));
                 let sampler = Sampler::new(states);
-                let followed = follow((&model, None), (loading, options), stop, sampler, kept, see).map_err(refused)?;
-                let of = PulledSeta::ByLaw(model, followed.pull_off.clone());
-                return Ok(Pulled { of, law, followed, outside: None });
+                let followed = follow((&model, None), (loading, options), stop, sampler, kept, see);
+                let (pull_off, sampler) = followed.map_err(refused)?;
+                return Ok(Pulled { of: PulledSeta::ByLaw(model, pull_off), law, sampler, outside: None });
             }
             TipLawOf::Table(growing) => {
                 growing.behind(earlier).map_err(|why: CoarseningError| Refusal::from(NoTable::from(why)))?
@@ -66,19 +67,19 @@ impl Pull<'_> {
             let by_table = ByTable { fingerprint, rounds: growing.rounds(), law: &law };
             let sampler = Sampler::new(states);
             let followed = follow((&model, Some(&by_table)), (loading, options), stop, sampler, kept, see);
-            let mut followed = followed.map_err(refused)?;
-            let outside = match growing.after(&followed.pull_off, law.visited()) {
+            let (mut pull_off, sampler) = followed.map_err(refused)?;
+            let outside = match growing.after(&pull_off, law.visited()) {
                 AfterRound::Again => continue,
                 AfterRound::Done => None,
                 AfterRound::Outside(outside) => Some(outside),
                 // the same command finds the whole pull-off, and lets the table grow
                 AfterRound::Stopped(bound) => {
-                    followed.pull_off.end = SetaEnd::Bound(bound);
+                    pull_off.end = SetaEnd::Bound(bound);
                     None
                 }
             };
-            let of = PulledSeta::ByLaw(model, followed.pull_off.clone());
-            return Ok(Pulled { of, law: TipLawOf::Table(Box::new(growing)), followed, outside });
+            let of = PulledSeta::ByLaw(model, pull_off);
+            return Ok(Pulled { of, law: TipLawOf::Table(Box::new(growing)), sampler, outside });
         }
     }
 }

@@ -21,9 +21,9 @@ const PIECE: usize = 2;
 /// What is kept of a pull-off beside where it stands.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Seen {
-    pub sampler: Sampler,
+    sampler: Sampler,
     /// Of tips that follow a table
-    pub table: Option<SeenByTable>,
+    table: Option<SeenByTable>,
 }
 
 /// What pull-offs by a table that grows have come to.
@@ -104,22 +104,9 @@ impl KeptSeta {
     }
 }
 
-/// A pull-off as far as it goes, and what it takes to go on.
-pub struct Followed {
-    pub pull_off: SetaPullOff,
-    pub seen: Seen,
-}
-
-impl Followed {
-    /// Whether the same command goes on with it.
-    pub fn is_unfinished(&self) -> bool {
-        matches!(self.pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted))
-    }
-
-    /// The states that were seen.
-    pub fn sampler(&self) -> &Sampler {
-        &self.seen.sampler
-    }
+/// Whether the same command goes on with a pull-off.
+pub fn is_unfinished(pull_off: &SetaPullOff) -> bool {
+    matches!(pull_off.end, SetaEnd::Bound(Bound::Time { .. } | Bound::Interrupted))
 }
 
 /// The law of the tips as far as it changes with what is followed.
@@ -147,7 +134,7 @@ pub fn follow(
     mut sampler: Sampler,
     kept: &mut KeptSeta,
     see: &mut dyn FnMut(&study::SetaPoint),
-) -> Result<Followed, SetaError> {
+) -> Result<(SetaPullOff, Sampler), SetaError> {
     let mut reached = None;
     if let Some((progress, seen)) = kept.reached.take() {
         (reached, sampler) = (Some(progress), seen.sampler);
@@ -178,11 +165,10 @@ pub fn follow(
             Some(progress) if goes_on => progress,
             progress => {
                 let seen = Seen { sampler, table: by_table.map(ByTable::seen) };
-                let followed = Followed { pull_off, seen };
-                if let Some(progress) = progress.filter(|_| followed.is_unfinished()) {
-                    kept.keep(&progress, &followed.seen);
+                if let Some(progress) = progress.filter(|_| is_unfinished(&pull_off)) {
+                    kept.keep(&progress, &seen);
                 }
-                return Ok(followed);
+                return Ok((pull_off, seen.sampler));
             }
         };
         if last.elapsed() >= JournalKind::SETA.interval {

@@ -7,10 +7,10 @@ mod sampler;
 
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::pulls::seta::{TipLawOf, options, tip_curve};
+use crate::pulls::seta::{PulledSeta, TipLawOf, options, tip_curve};
 use crate::session::{Progress, Session};
 use by_table::{Pull, Pulled};
-use follow::{Followed, KeptSeta};
+use follow::{KeptSeta, is_unfinished};
 use peelkit::model::{PullCurve, Seta};
 use peelkit::study::coarsening::{GrowingTable, OutsideTable};
 use peelkit::study::{Bound, ConvergedPeak, SetaEnd, SetaPoint, SetaPullOff, SetaState, StopCriteria};
@@ -49,10 +49,6 @@ impl<'s> SetaRun<'s> {
 
 /// The pull-off of a seta, with the law of its tips.
 pub struct SetaOutcome {
-    /// What was pulled off
-    pub seta: Seta,
-    /// Order of its elements
-    pub order: usize,
     /// The curve of the normal pull of a tip
     pub tip: PullCurve,
     /// The largest force on finer meshes, where it was found there
@@ -63,8 +59,9 @@ pub struct SetaOutcome {
     pub seconds: [f64; 3],
     /// Equilibria of an earlier run
     pub taken: usize,
+    of: PulledSeta,
     law: TipLawOf,
-    followed: Followed,
+    sampler: Sampler,
     interrupted: bool,
     asked: Asked,
     kept: KeptSeta,
@@ -92,23 +89,22 @@ impl Analysis for SetaRun<'_> {
         let mut see = |point: &SetaPoint| session.watcher.see(Progress::Equilibrium(point));
         let pull = Pull { scene, table, loading: &loading, options: &options, stop: &stop, states };
         let (pulled, solve_s) = timed(|| pull.pulled(law, &tip, &mut kept, &mut see));
-        let Pulled { of, law, followed, outside } = pulled?;
+        let Pulled { of, law, sampler, outside } = pulled?;
         session.stage("peak on finer meshes");
         let (peak, peak_s) = timed(|| of.peak(scene, table, &plain));
         let peak = peak.map_err(|error| Refusal::Other(error.to_string()))?;
         // nothing of what comes behind the pull-off is kept
         let asked_to_stop = session.watcher.nothing_more_is_kept();
-        let interrupted = asked_to_stop && matches!(followed.pull_off.end, SetaEnd::Bound(Bound::Interrupted));
+        let interrupted = asked_to_stop && matches!(of.pull_off().end, SetaEnd::Bound(Bound::Interrupted));
         Ok(SetaOutcome {
-            seta: table.seta.clone(),
-            order: of.order(),
             tip,
             peak,
             outside,
             seconds: [tip_s + table_s, solve_s, peak_s],
             taken: kept.taken(),
+            of,
             law,
-            followed,
+            sampler,
             interrupted,
             asked,
             kept,
@@ -119,7 +115,17 @@ impl Analysis for SetaRun<'_> {
 impl SetaOutcome {
     /// The pull-off.
     pub fn pull_off(&self) -> &SetaPullOff {
-        &self.followed.pull_off
+        self.of.pull_off()
+    }
+
+    /// What was pulled off.
+    pub fn seta(&self) -> &Seta {
+        self.of.seta()
+    }
+
+    /// Order of its elements.
+    pub fn order(&self) -> usize {
+        self.of.order()
     }
 
     /// The table that the tips follow, where they follow one.
@@ -128,7 +134,7 @@ impl SetaOutcome {
     }
 
     fn summary<'a>(&'a self, scene: &'a Scene) -> SetaSummary<'a> {
-        SetaSummary::new(scene, &self.seta, &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
+        SetaSummary::new(scene, self.seta(), &self.tip, (self.pull_off(), self.peak.as_ref()), self.seconds)
             .with_table(self.table())
             .with_outside(self.outside.as_ref())
     }
@@ -147,7 +153,7 @@ impl SetaOutcome {
 
     /// So many states along the pull-off, evenly, with those that have names: of those that the run was asked to keep.
     pub fn states(&self, count: usize) -> Vec<SetaState> {
-        self.followed.sampler().evenly(count, self.moments().into_iter().map(|(_, state)| state.clone()))
+        self.sampler.evenly(count, self.moments().into_iter().map(|(_, state)| state.clone()))
     }
 }
 
@@ -157,7 +163,7 @@ impl Outcome for SetaOutcome {
     }
 
     fn write(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
-        let (pull_off, seta) = (self.pull_off(), &self.seta);
+        let (pull_off, seta) = (self.pull_off(), self.seta());
         let mut files = vec![
             self.summary(scene).with_command(command).write(dir)?,
             report::write_seta_curve(dir, pull_off)?,
@@ -197,6 +203,6 @@ impl Outcome for SetaOutcome {
     }
 
     fn kept(&self) -> Option<(&Journal, bool)> {
-        Some((self.kept.journal(), !self.followed.is_unfinished()))
+        Some((self.kept.journal(), !is_unfinished(self.pull_off())))
     }
 }

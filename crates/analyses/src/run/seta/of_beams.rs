@@ -1,7 +1,7 @@
 //! The pull-off of a seta whose spatulae are beams. What was reached behind a loss of stability is kept where it takes long.
 
 use super::by_table::Pull;
-use super::follow::{Followed, KeptSeta, Seen};
+use super::follow::{KeptSeta, is_unfinished};
 use super::sampler::Sampler;
 use crate::outcome::Refusal;
 use crate::pulls::seta::{of_beams, path_options};
@@ -16,7 +16,7 @@ impl Pull<'_> {
         &self,
         kept: &mut KeptSeta,
         see: &mut dyn FnMut(&SetaPoint),
-    ) -> Result<(SetaOfBeams, BeamsPullOff, Followed), Refusal> {
+    ) -> Result<(SetaOfBeams, BeamsPullOff, Sampler), Refusal> {
         let model = of_beams(self.scene, self.table).map_err(|why| {
             Refusal::scene(why, "Give another law of adhesion or another body, or seta.tip_law = \"table\".")
         })?;
@@ -40,10 +40,9 @@ impl Pull<'_> {
         let found = study::pull_off_of_beams(&model, self.loading, &options, self.stop, reached, &mut look);
         let found =
             found.map_err(|error| Refusal::asked(error, "`peel keys seta` lists the keys with their ranges."))?;
-        let followed = Followed { pull_off: found.result.clone(), seen: Seen { sampler, table: None } };
-        if let Some((progress, sampler)) = newest.filter(|_| followed.is_unfinished()) {
+        if let Some((progress, sampler)) = newest.filter(|_| is_unfinished(&found.result)) {
             kept.keep_of_beams(&progress, &sampler);
         }
-        Ok((model, found, followed))
+        Ok((model, found, sampler))
     }
 }
