@@ -12,11 +12,10 @@ pub(crate) mod torsion;
 pub(crate) mod varying;
 pub(crate) mod viscosity;
 pub use bonded_beam::{BondedBeam, BondedMode};
-pub use element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, PerNode, slot};
+pub use element::basis::{Basis, MOST_ORDER, PerNode};
 pub use element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
-pub use element::frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
 pub use element::integrand::{Integrand, PlanarIntegrand, PointEnergy, PointGradient};
-pub use element::integration::{BUNDLE, Element, ElementEnergy, Integration, PiecePoint, Responses};
+pub use element::integration::{Element, ElementEnergy, Integration, PiecePoint, Responses};
 pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
 pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach, graded_ends};
 pub use planar::chain::{
@@ -33,9 +32,8 @@ pub use planar::planar_beam::{BeamInertia, FRONT, FrictionHistory, FrontPosition
 pub use planar::uniform_chain::elements::UniformChain;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};
-pub use spatial::chain::spatial_chain::{
-    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional,
-};
+pub use spatial::chain::room::SpatialFactors;
+pub use spatial::chain::spatial_chain::{SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFunctional};
 pub use spatial::end_rotation::{EndRotation, angles, turned};
 pub use spatial::rest::{ALONG_X, BranchRest, PlacedRest, RestOutline, SpatialRest, SpatialRestCurve};
 pub use spatial::rotation;
@@ -51,9 +49,7 @@ pub use spatial::tree::beam_tree::BeamTree;
 pub use spatial::tree::branching_beam::{
     Branch, BranchMesh, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError, TreeMonitor,
 };
-pub use spatial::tree::factors::TreeFactors;
 pub use spatial::tree::read::BranchSection;
-pub use spatial::tree::sweep::CondensedTree;
 pub use stretch_law::{StretchLaw, StretchResponse};
 pub use torsion::{LateralStiffness, torsion_constant, torsion_strain};
 pub use varying::{BeamGeometry, Profile, SectionGeometry, Varying};

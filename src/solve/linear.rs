@@ -9,7 +9,7 @@
 //! one functional: its change with any parameter p of the residual is then -λ·∂R/∂p, whatever the number of parameters.
 
 use super::error::SolveError;
-use super::grip_block::GripBlock;
+use super::frontal::grip_block::GripBlock;
 use super::newton::factorised;
 use super::problem::Problem;
 use super::state::{PathConstraint, State};

@@ -1,6 +1,6 @@
 //! How equilibrium is found: Newton's method, path following, limit points, stability, relaxation, for any [`System`].
 pub(crate) mod error;
-mod grip_block;
+pub(crate) mod frontal;
 pub(crate) mod linear;
 pub(crate) mod newton;
 pub(crate) mod path;
@@ -12,6 +12,10 @@ pub(crate) mod system;
 pub mod time;
 pub(crate) mod workspace;
 pub use error::{Place, Quantity, SolveError};
+pub use frontal::eliminate::Eliminated;
+pub use frontal::end_block::Carry;
+pub use frontal::frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
+pub use frontal::nodes::{AnyNumber, BUNDLE, Fixed, MOST_NODES, Nodes, slot};
 pub use linear::{Bordered, Tangents};
 pub use newton::on_more_elements;
 pub use newton::{NewtonOptions, Solution, Tangent, damped_step, settle, slopes, solve};

@@ -1,7 +1,7 @@
 //! Newton's method for one equilibrium under one constraint that picks it from the path.
 
 use super::error::{Quantity, SolveError};
-use super::grip_block::GripBlock;
+use super::frontal::grip_block::GripBlock;
 use super::problem::Problem;
 use super::state::{Observables, PathConstraint, State};
 use super::system::{Coefficients, CondensedSystem};

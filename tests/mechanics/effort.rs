@@ -50,8 +50,8 @@ const PINNED: &[(&str, Cost)] = &[
     ("hard/touch-again", [149, 746, 24, 0]),
     ("strip, test in a machine", [195, 617, 16, 1075]),
     ("strip-at-a-rate", [1559, 3133, 45, 1566]),
-    ("seta", [321, 913, 21, 3]),
-    ("seta, by table", [95, 318, 40, 1]),
+    ("seta", [316, 900, 21, 3]),
+    ("seta, by table", [96, 305, 40, 1]),
     ("seta-at-a-rate", [601, 1236, 21, 634]),
 ];
 

@@ -5,68 +5,15 @@
 
 use crate::number::gauss::gauss_legendre;
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes, slot};
 use gauss_quad::{FiniteAboveNegOneF64, GaussJacobi};
 use std::num::NonZeroUsize;
 
-/// The most nodes an element can have.
-pub const MOST_NODES: usize = 9;
 /// The highest order of an element.
 pub const MOST_ORDER: usize = MOST_NODES - 1;
 
 /// Points of the rule for a part of an element.
 const FINE: NonZeroUsize = NonZeroUsize::MIN.saturating_add(9);
-
-/// How many nodes an element has, p + 1: known when the program is compiled, which is faster, or when it runs.
-pub trait Nodes: Copy {
-    /// For elements of an order.
-    fn of_order(order: usize) -> Self;
-    /// N = p + 1, from 2 to [`MOST_NODES`]
-    fn count(self) -> usize;
-}
-
-/// So many nodes.
-#[derive(Clone, Copy, Debug)]
-pub struct Fixed<const N: usize>;
-
-/// Any number of nodes.
-#[derive(Clone, Copy, Debug)]
-pub struct AnyNumber(usize);
-
-impl<const N: usize> Nodes for Fixed<N> {
-    #[inline(always)]
-    fn of_order(order: usize) -> Self {
-        assert_eq!(order + 1, N);
-        Self
-    }
-
-    #[inline(always)]
-    fn count(self) -> usize {
-        N
-    }
-}
-
-impl Nodes for AnyNumber {
-    #[inline(always)]
-    fn of_order(order: usize) -> Self {
-        Self(order + 1)
-    }
-
-    #[inline(always)]
-    fn count(self) -> usize {
-        // so that the compiler knows it too
-        self.0.clamp(2, MOST_NODES)
-    }
-}
-
-/// Place of the node of rank `rank` (from the left, 0 to p) in the elimination order of an element of `nodes` nodes.
-#[inline(always)]
-pub fn slot(nodes: usize, rank: usize) -> usize {
-    match rank {
-        0 => nodes - 2,
-        r if r == nodes - 1 => r,
-        r => r - 1,
-    }
-}
 
 /// Shape functions of an element with N = p + 1 nodes on [-1, 1]. Nodes come in elimination order: the interior ones
 /// from left to right, then the left end, then the right end. Behind the last node and the last point the tables are zero.

@@ -1,14 +1,12 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
-use super::basis::{Basis, MOST_NODES, Nodes, PerNode};
+use super::basis::{Basis, PerNode};
 use super::energy_density::{Coupling, MEMORY, Point, PointResponse};
-use super::frontal_matrix::FrontalMatrix;
 use super::integrand::Integrand;
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 use serde::{Deserialize, Serialize};
-
-/// Elements that are treated side by side.
-pub const BUNDLE: usize = 4;
 
 /// Energy of one element, nN·nm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -154,7 +152,7 @@ impl<const F: usize> Element<F64x4, F> {
             let twice = once * stretch;
             energy = energy + r.energy * once;
             coverage = coverage + r.coverage * once;
-            front.add_gradient::<BORDER>(nodes, r, basis, q, (once, twice), path_weight);
+            add_gradient::<BORDER, F>(front, by, (r, q), (once, twice), path_weight);
         }
         (energy, coverage)
     }
@@ -402,4 +400,34 @@ pub struct PiecePoint<const F: usize> {
     pub shape: PerNode,
     /// Reference length that it stands for, nm; negative where it is taken off
     pub weight: f64,
+}
+
+/// Adds what Gauss point q gives, its response, to the gradient, the border and the path of a front; `once` weighs values and `twice` slopes.
+#[inline(always)]
+fn add_gradient<const BORDER: bool, const F: usize>(
+    front: &mut FrontalMatrix<F64x4, F>,
+    &Integration { nodes, basis, .. }: &Integration<impl Nodes, F>,
+    (r, q): (&PointResponse<F64x4, F>, usize),
+    (once, twice): (F64x4, F64x4),
+    path_weight: f64,
+) {
+    for f in 0..F {
+        let (on_value, on_slope) = (r.by_value[f] * once, r.by_slope[f] * twice);
+        let on_path = r.coverage_by_value[f] * once * path_weight;
+        for a in 0..nodes.count() {
+            let (value, slope) = (basis.value[q][a], basis.slope[q][a]);
+            let row = &mut front.rows[a][f];
+            row.residual = row.residual + on_value * value + on_slope * slope;
+            front.path.fields[a][f] = front.path.fields[a][f] + on_path * value;
+            if BORDER {
+                let mixed = r.border_value[f] * once * value + r.border_slope[f] * twice * slope;
+                row.border = row.border + mixed;
+                front.border.fields[a][f] = front.border.fields[a][f] + mixed;
+            }
+        }
+    }
+    if BORDER {
+        front.border.border = front.border.border + r.border_border * once;
+        front.border.residual = front.border.residual + r.by_border * once;
+    }
 }

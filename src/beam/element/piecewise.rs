@@ -13,11 +13,12 @@
 //! ε makes an error of
 //! order ε⁵.
 
-use super::basis::{Basis, MOST_NODES, Nodes, PerNode, slot};
-use super::frontal_matrix::FrontalMatrix;
+use super::basis::{Basis, PerNode};
 use super::integrand::Integrand;
 use super::integration::{Element, Integration, PiecePoint};
 use crate::number::F64x4;
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes, slot};
 
 /// Most cuts of an element; what is behind them is one piece.
 const MOST_CUTS: usize = 16;

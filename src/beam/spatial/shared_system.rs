@@ -1,33 +1,11 @@
 //! What a chain and a tree of beams in space answer alike as a [`System`](crate::solve::System).
 
-use super::chain::end_block::{Carry, ROOT};
 use super::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use super::end_rotation::{EndRotation, turn_on, turned};
 use super::rotation::{apply, conjugate, logarithm, product};
 use super::section::kinematics::SPATIAL_UNKNOWNS;
-use crate::solve::system::{CondensedSystem, Evaluation, INTERFACE};
 
 const F: usize = SPATIAL_UNKNOWNS;
-
-/// The system on its interface, from the block that is left of an elimination: the unknowns of the interface, then the residual column and the
-/// path row; with the number of negative eigenvalues and the smallest pivot of what was eliminated.
-pub fn condensed(matrix: &Carry, (negative, least_pivot): (usize, f64), evaluation: Evaluation) -> CondensedSystem {
-    let mut condensed = CondensedSystem {
-        matrix: [[0.0; INTERFACE]; INTERFACE],
-        residual: [0.0; INTERFACE],
-        gradient: [0.0; INTERFACE],
-        gradient_residual: matrix[F][F],
-        negative,
-        least_pivot,
-        evaluation,
-    };
-    for i in 0..ROOT - 1 {
-        condensed.matrix[i].copy_from_slice(&matrix[i][..F]);
-        condensed.residual[i] = matrix[i][F];
-        condensed.gradient[i] = matrix[F][i];
-    }
-    condensed
-}
 
 /// Moves and turns a node by a step of its unknowns; of an end these are along its axes, and its angles, where it has some, are moved with it.
 pub fn step_node(node: &mut [f64], step: [f64; F], end: Option<(&SpatialEnd, &mut [f64])>) {

@@ -1,11 +1,12 @@
 //! The beam in space as a [`System`]: what a solver asks of it. Its interface is the right end.
 
 use super::chain::fields_along::FieldsAlong;
-use super::chain::spatial_chain::{SpatialConfiguration, SpatialFactors, SpatialFunctional, quaternion_of};
+use super::chain::room::SpatialFactors;
+use super::chain::spatial_chain::{SpatialConfiguration, SpatialFunctional, quaternion_of};
 use super::end_rotation::EndRotation;
 use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use super::shared_system::{condensed, node_difference, step_node};
+use super::shared_system::{node_difference, step_node};
 use super::spatial_beam::{ANGLES, SpatialBeam};
 use crate::beam::element::integration::ElementEnergy;
 use crate::beam::mesh::{MeshKind, nodal_lengths};
@@ -78,7 +79,8 @@ impl SpatialBeam {
         let mut row = SpatialFunctional { coverage: self.front(weights[FRONT]), left: [0.0; F] };
         row.left[3] = weights[TIP_ROTATION];
         let root = self.chain.eliminate(seen, &row, added, ws.factors::<SpatialFactors>())?;
-        Ok(condensed(&root.matrix, (root.negative, root.least_pivot), self.evaluation(at, root.energy)))
+        let [total, coverage] = root.integrals;
+        Ok(root.condensed(self.evaluation(at, ElementEnergy { total, coverage })))
     }
 }
 
@@ -131,15 +133,15 @@ impl System for SpatialBeam {
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
-        self.chain.recover(ws.factored::<SpatialFactors>(), interface, scale, direction);
+        ws.factored::<SpatialFactors>().recover(interface, scale, direction);
     }
 
     fn reduce(&self, ws: &Workspace, right: &mut [f64], transposed: bool) -> [f64; INTERFACE] {
-        self.chain.reduce(ws.factored::<SpatialFactors>(), right, transposed)
+        ws.factored::<SpatialFactors>().reduce(right, transposed)
     }
 
     fn substitute(&self, ws: &Workspace, interface: &[f64; INTERFACE], right: &mut [f64], transposed: bool) {
-        self.chain.substitute(ws.factored::<SpatialFactors>(), interface, right, transposed);
+        ws.factored::<SpatialFactors>().substitute(interface, right, transposed);
     }
 
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {

@@ -4,7 +4,7 @@ use super::drive::DriveRates;
 use super::dynamic_system::{DynamicProblem, MaterialRate, StepTerms};
 use super::rule::{EndRates, GeneralisedAlpha, Motion};
 use crate::solve::error::{Quantity, SolveError};
-use crate::solve::grip_block::GripBlock;
+use crate::solve::frontal::grip_block::GripBlock;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::system::NodalTerms;
 use crate::solve::workspace::Workspace;

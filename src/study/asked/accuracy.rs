@@ -2,12 +2,12 @@
 
 use super::error_bounds::{CORNER_AIM_FRACTION, TOLERANCE_FLOOR_FRACTION};
 use super::terms::Terms;
-use crate::beam::element::integration::BUNDLE;
 use crate::beam::mesh::MeshKind;
 use crate::model::check::error::{ModelError, Range};
 use crate::model::check::numbers::NumberOf;
 use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::build::Discretisation;
+use crate::solve::frontal::nodes::BUNDLE;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::predictor::MOST_POINTS;
 use crate::solve::workspace::Pace;

@@ -7,12 +7,12 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
-use crate::beam::element::integration::BUNDLE;
 use crate::beam::grip_state::GripState;
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::step::{Moved, Step};
+use crate::solve::frontal::nodes::BUNDLE;
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;

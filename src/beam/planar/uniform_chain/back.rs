@@ -1,11 +1,10 @@
 //! The way back through an eliminated chain, from the right end to the left.
 
 use super::elements::{Kept, UniformChain};
-use crate::beam::element::basis::{Nodes, slot};
-use crate::beam::element::frontal_matrix::FrontalMatrix;
-use crate::beam::element::integration::BUNDLE;
 use crate::beam::planar::chain::{ChainFactors, EDGE};
 use crate::number::F64x4;
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{BUNDLE, Nodes, slot};
 
 /// [`UniformChain::go_back`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(

@@ -1,13 +1,14 @@
 //! The elements of a chain of one order, and their numbers four side by side.
 
-use crate::beam::element::basis::{AnyNumber, Basis, MOST_NODES, Nodes, slot};
+use crate::beam::element::basis::Basis;
 use crate::beam::element::energy_density::MEMORY;
-use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::element::integrand::PlanarIntegrand;
-use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy, Integration, Responses};
+use crate::beam::element::integration::{Element, ElementEnergy, Integration, Responses};
 use crate::beam::planar::chain::{ChainFactors, CondensedChain, Configuration, ConstraintGradient, NodeState};
 use crate::number::F64x4;
 use crate::solve::error::SolveError;
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, MOST_NODES, Nodes, slot};
 use crate::solve::system::NodalTerms;
 use std::ops::Range;
 

@@ -1,9 +1,8 @@
 //! The block of an element's two ends, what condensation leaves of it: eliminated from its left end to its right.
-
-use crate::beam::element::basis::Nodes;
-use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::planar::chain::{BelowEnd, ConstraintGradient, EDGE, EndRow, ROOT};
 use crate::number::F64x4;
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::Nodes;
 
 /// The block of F fields at each end, and of the border where there is one.
 pub(super) struct Ends<const F: usize, const BORDER: bool>;

@@ -10,11 +10,10 @@
 //! found again from what it leaves below the pivots, and in the fronts of a symmetric tangent from U.
 
 use super::elements::{Kept, UniformChain};
-use crate::beam::element::basis::{MOST_NODES, slot};
-use crate::beam::element::frontal_matrix::{FrontalMatrix, FrontalRow};
-use crate::beam::element::integration::BUNDLE;
 use crate::beam::planar::chain::{BelowEnd, ChainFactors, EndRow, MOST_FIELDS, RootVector};
 use crate::number::F64x4;
+use crate::solve::frontal::frontal_matrix::{FrontalMatrix, FrontalRow};
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, slot};
 
 /// Most unknowns of an element: its fields and the border.
 const MOST: usize = MOST_NODES * MOST_FIELDS + 1;

@@ -11,11 +11,11 @@
 //! non-linear structural problems discretized via displacement-based finite elements, Comput. Methods Appl. Mech. Engrg. 313 (2017) 986-1005.
 
 use super::elements::UniformChain;
-use crate::beam::element::basis::{MOST_NODES, Nodes, slot};
 use crate::beam::element::energy_density::Point;
-use crate::beam::element::integration::{BUNDLE, Element};
+use crate::beam::element::integration::Element;
 use crate::beam::planar::chain::Configuration;
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
 
 /// [`UniformChain::follow`] compiled for the vector units that the machine may have, chosen when it runs.
 #[cfg_attr(

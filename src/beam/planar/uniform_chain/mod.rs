@@ -21,11 +21,12 @@ mod tests;
 use super::chain::{
     Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, MOST_FIELDS, NodeState, RootVector,
 };
-use crate::beam::element::basis::{AnyNumber, Basis, Fixed, MOST_ORDER, Nodes, slot};
+use crate::beam::element::basis::{Basis, MOST_ORDER};
 use crate::beam::element::energy_density::SectionState;
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::element::integration::ElementEnergy;
 use crate::solve::error::SolveError;
+use crate::solve::frontal::nodes::{AnyNumber, Fixed, Nodes, slot};
 use crate::solve::state::History;
 use crate::solve::system::NodalTerms;
 use elements::{Kernels, UniformChain};

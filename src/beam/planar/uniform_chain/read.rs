@@ -2,10 +2,11 @@
 
 use super::elements::UniformChain;
 use crate::adhesion::friction::dahl::FrictionState;
-use crate::beam::element::basis::{MOST_NODES, Nodes, PerNode, slot};
+use crate::beam::element::basis::PerNode;
 use crate::beam::element::energy_density::SectionState;
-use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
+use crate::beam::element::integration::{Element, ElementEnergy};
 use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
 use crate::solve::state::History;
 use std::ops::Range;
 

@@ -2,15 +2,15 @@
 
 use super::elements::{Kept, UniformChain};
 use super::ends::Ends;
-use crate::beam::element::basis::Nodes;
-use crate::beam::element::frontal_matrix::FrontalMatrix;
-use crate::beam::element::integration::{BUNDLE, ElementEnergy};
+use crate::beam::element::integration::ElementEnergy;
 use crate::beam::planar::chain::{
     BelowEnd, ChainFactors, CondensedChain, Configuration, ConstraintGradient, EDGE, EndRow, LeastPivot, MOST_FIELDS,
     ROOT,
 };
 use crate::number::F64x4;
 use crate::solve::error::{Place, Quantity, SolveError};
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{BUNDLE, Nodes};
 use crate::solve::system::NodalTerms;
 
 /// Pivots below this are zero to rounding.

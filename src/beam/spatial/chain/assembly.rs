@@ -13,11 +13,12 @@
 //! Products of a value and a slope change their sign in the mirror.
 
 use super::projection::FieldFront;
-use crate::beam::element::basis::{Basis, MOST_NODES, MOST_ORDER, Nodes};
+use crate::beam::element::basis::{Basis, MOST_ORDER};
 use crate::beam::element::energy_density::Coupling;
 use crate::beam::element::integration::{Element, Responses};
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 
 /// Most points of half an element, with the one in the middle.
 const HALF: usize = MOST_ORDER.div_ceil(2);

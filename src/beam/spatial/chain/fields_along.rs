@@ -2,8 +2,9 @@
 
 use super::read::{combine, normalise};
 use super::spatial_chain::{SpatialChain, SpatialConfiguration};
-use crate::beam::element::basis::{AnyNumber, Basis, MOST_NODES, Nodes, slot};
+use crate::beam::element::basis::Basis;
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
+use crate::solve::frontal::nodes::{AnyNumber, MOST_NODES, Nodes, slot};
 
 const N: usize = SPATIAL_FIELDS;
 

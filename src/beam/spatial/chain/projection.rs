@@ -1,13 +1,12 @@
 //! From the seven fields of a node to its six unknowns: the place and the turn φ in the axes of its directors, q(φ) = q ∘ exp(φ/2).
 //!
 //! With ∂q/∂φ = T and ∂²q/∂φ² = -q I/4, the gradient g and the tangent H by the fields become Tᵀg and TᵀHT - (g·q) I/4.
-
-use crate::beam::element::basis::{MOST_NODES, Nodes};
-use crate::beam::element::frontal_matrix::FrontalMatrix;
 use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, inner};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::frontal_matrix::FrontalMatrix;
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 
 /// The front of four elements in the unknowns of their nodes.
 pub type SpatialFront = FrontalMatrix<F64x4, SPATIAL_UNKNOWNS>;

@@ -2,10 +2,11 @@
 
 use super::projection::{projected, turn_to_quaternion};
 use super::spatial_chain::{SpatialChain, SpatialConfiguration, gather_nodes, no_values, quaternion_of};
-use crate::beam::element::basis::{MOST_NODES, PerNode, slot};
-use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
+use crate::beam::element::basis::PerNode;
+use crate::beam::element::integration::{Element, ElementEnergy};
 use crate::beam::spatial::rotation::{apply, normalised};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, slot};
 use std::ops::Range;
 
 const F: usize = SPATIAL_UNKNOWNS;

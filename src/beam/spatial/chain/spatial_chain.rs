@@ -1,17 +1,17 @@
 //! The chain and its ends, how a state is laid out in it, and the numbers of its elements, four side by side.
 
 use super::assembly::Products;
-use super::end_block::{BelowEnd, EndRow};
-use super::projection::{FieldFront, SAME, SpatialFront};
-use crate::beam::element::basis::{AnyNumber, Basis, Fixed, MOST_NODES, MOST_ORDER, Nodes, slot};
+use super::projection::SAME;
+use crate::beam::element::basis::{Basis, MOST_ORDER};
 use crate::beam::element::integrand::Integrand;
-use crate::beam::element::integration::{BUNDLE, Element, Integration, Responses};
+use crate::beam::element::integration::{Element, Integration};
 use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion};
 use crate::beam::spatial::section::density::SpatialDensity;
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::number::{F64x4, Real};
+use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, Fixed, MOST_NODES, Nodes, slot};
 
 /// An end of the chain: along what it moves, how it turns, and which of these are held.
 #[derive(Clone, Copy, Debug)]
@@ -69,27 +69,6 @@ pub struct SpatialFunctional {
     pub coverage: f64,
     /// Weights of the unknowns of the left end
     pub left: [f64; SPATIAL_UNKNOWNS],
-}
-
-/// What an elimination leaves for the way back.
-pub struct SpatialFactors {
-    pub(super) fronts: Vec<SpatialFront>,
-    pub(super) ends: Vec<[EndRow; SPATIAL_UNKNOWNS]>,
-    pub(super) below: Vec<BelowEnd>,
-    pub(super) field_front: Box<FieldFront>,
-    pub(super) room: Box<Responses<SPATIAL_FIELDS>>,
-}
-
-impl Default for SpatialFactors {
-    fn default() -> Self {
-        Self {
-            fronts: Vec::new(),
-            ends: Vec::new(),
-            below: Vec::new(),
-            field_front: Box::new(FieldFront::zero()),
-            room: Box::default(),
-        }
-    }
 }
 
 impl SpatialChain {

@@ -1,37 +1,53 @@
-//! The elimination, from the left end of the chain to the right.
+//! The fronts of a chain, and its ends; it is eliminated from the left end to the right.
 
-use super::end_block::{Carry, EndBlock, ROOT};
-use super::projection::{EndMaps, SpatialFront, project};
+use super::projection::{EndMaps, SpatialFront};
+use super::room::{SpatialFactors, SpatialRoom};
 use super::spatial_chain::{
-    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFactors, SpatialFunctional, USUAL_ORDER, Usual,
-    gather_nodes, no_values, quaternion_of,
+    SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFunctional, USUAL_ORDER, Usual, quaternion_of,
 };
-use crate::beam::element::basis::{AnyNumber, Nodes};
-use crate::beam::element::frontal_matrix::FrontalMatrix;
-use crate::beam::element::integration::{BUNDLE, Element, ElementEnergy};
 use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use crate::solve::error::{Place, Quantity, SolveError};
+use crate::number::F64x4;
+use crate::solve::error::{Place, SolveError};
+use crate::solve::frontal::eliminate::{Eliminated, Fronts};
+use crate::solve::frontal::end_block::Carry;
+use crate::solve::frontal::forest::Forest;
+use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, Nodes};
 use crate::solve::system::NodalTerms;
+use std::sync::Arc;
 
-/// Pivots below this are zero to rounding.
-pub(in crate::beam::spatial) const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
+/// A chain in a configuration, as its elimination sees it.
+struct ChainFronts<'a> {
+    chain: &'a SpatialChain,
+    at: SpatialConfiguration<'a>,
+    /// Weight of the coverage in the path row
+    coverage: f64,
+}
 
-/// What is left of the chain when all but its right end is eliminated.
-pub struct CondensedSpatialChain {
-    /// The unknowns of the right end, then the residual column and the path row.
-    pub matrix: [[f64; ROOT]; ROOT],
-    /// Negative eigenvalues with the right end held.
-    pub negative: usize,
-    /// The smallest pivot without its sign.
-    pub least_pivot: f64,
-    /// Before the update.
-    pub energy: ElementEnergy,
+impl Fronts<SPATIAL_UNKNOWNS> for ChainFronts<'_> {
+    type Room = SpatialRoom;
+
+    #[inline(always)]
+    fn write(&self, nodes: impl Nodes, bundle: usize, room: &mut SpatialRoom, front: &mut SpatialFront) -> [F64x4; 2] {
+        let (first, elements) = (bundle * BUNDLE, self.at.boundaries.len() - 1);
+        self.chain.gather(nodes, self.at, first, &mut room.bundle);
+        let integrals = room.write(&self.chain.integration(nodes), &self.chain.products, self.coverage, front);
+        self.chain.take_ends(nodes, self.at, (first, elements), front);
+        integrals
+    }
+
+    fn off(&self, _: usize) -> [Option<f64>; SPATIAL_UNKNOWNS] {
+        self.chain.off(self.at)
+    }
+
+    fn place(&self, element: usize) -> Place {
+        Place { element, position: self.at.boundaries[element] }
+    }
 }
 
 impl SpatialChain {
-    /// Eliminates all but the right end, with terms of single unknowns added.
+    /// Eliminates all but the right end, with terms of single unknowns added. The integrals are the energy and the coverage.
     ///
     /// # Errors
     /// A pivot that is zero to rounding, a number that is not finite.
@@ -40,79 +56,23 @@ impl SpatialChain {
         at: SpatialConfiguration,
         path: &SpatialFunctional,
         added: NodalTerms,
-        factors: &mut SpatialFactors,
-    ) -> Result<CondensedSpatialChain, SolveError> {
-        if self.basis.order == USUAL_ORDER {
-            sweep::<Usual>(self, at, path, added, factors)
-        } else {
-            sweep::<AnyNumber>(self, at, path, added, factors)
-        }
-    }
-
-    #[inline(always)]
-    fn sweep_with(
-        &self,
-        nodes: impl Nodes,
-        at: SpatialConfiguration,
-        path: &SpatialFunctional,
-        added: NodalTerms,
-        SpatialFactors { fronts, ends, below, field_front, room }: &mut SpatialFactors,
-    ) -> Result<CondensedSpatialChain, SolveError> {
-        const F: usize = SPATIAL_UNKNOWNS;
-        let (elements, order) = (at.boundaries.len() - 1, nodes.count() - 1);
-        fronts.resize_with(elements.div_ceil(BUNDLE), FrontalMatrix::zero);
-        ends.clear();
-        below.clear();
-        let (by, mut bundle) = (self.integration(nodes), Element::zero());
-        let (mut energy, mut negative, mut least) = (ElementEnergy::default(), 0, f64::INFINITY);
-        let mut carry: Carry = [[0.0; ROOT]; ROOT];
-        for (first, front) in (0..elements).step_by(BUNDLE).zip(fronts) {
-            self.gather(nodes, at, first, &mut bundle);
-            let (total, coverage) = bundle.integrate_gradient::<false>(&by, path.coverage, room, field_front);
-            self.products.assemble(nodes, &self.basis, &by.coupling, &bundle, room, field_front);
-            project(nodes, field_front, &bundle.values, front);
-            self.take_ends(nodes, at, (first, elements), front);
-            add_inside(nodes, front, added, (first, elements));
-            let pivots = front.condense_by_nodes(nodes);
-            let mut block = EndBlock::zero();
-            for e in first..elements.min(first + BUNDLE) {
-                let l = e - first;
-                energy.total += total.0[l];
-                energy.coverage += coverage.0[l];
-                block.take(nodes, front, l, [0, 1]);
-                for f in 0..F {
-                    let (stiffness, force) = added.at(e * order * F + f);
-                    block.0[f][f] += stiffness;
-                    block.0[f][2 * F] += force;
-                }
-                if e == 0 {
-                    block.start(&path.left, &self.off(at));
-                } else {
-                    block.unload(&carry);
-                }
-                let (negative_end, least_end) = block.eliminate();
-                negative += pivots.negative.0[l] as usize + negative_end;
-                let smallest = least_end.min(pivots.least.0[l]);
-                let place = Place { element: e, position: at.boundaries[e] };
-                if smallest < LEAST_PIVOT {
-                    return Err(SolveError::Singular { pivot: smallest, place });
-                }
-                least = least.min(smallest);
-                ends.push(std::array::from_fn(|k| block.0[k]));
-                below.push(block.below());
-                carry = block.load();
-                if !(carry[0][0].is_finite() && energy.total.is_finite()) {
-                    return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place });
-                }
+        SpatialFactors { frontal, room }: &mut SpatialFactors,
+    ) -> Result<Eliminated<SPATIAL_UNKNOWNS>, SolveError> {
+        let (elements, order) = (at.boundaries.len() - 1, self.basis.order);
+        let ends = frontal.begin(Arc::new(Forest::chain(elements, order)));
+        for (carry, node) in ends.iter_mut().zip([0, elements * order]) {
+            for f in 0..SPATIAL_UNKNOWNS {
+                (carry.tangent[f][f], carry.residual[f]) = added.at(node * SPATIAL_UNKNOWNS + f);
             }
         }
-        for f in 0..F {
-            let (stiffness, force) = added.at(elements * order * F + f);
-            carry[f][f] += stiffness;
-            carry[f][F] += force;
+        ends[0].path = path.left;
+        self.load_right(at, &mut ends[1]);
+        let fronts = ChainFronts { chain: self, at, coverage: path.coverage };
+        if order == USUAL_ORDER {
+            frontal.eliminate::<_, Usual>(&fronts, added, room)
+        } else {
+            frontal.eliminate::<_, AnyNumber>(&fronts, added, room)
         }
-        self.load_right(at, &mut carry);
-        Ok(CondensedSpatialChain { matrix: carry, negative, least_pivot: least, energy })
     }
 
     /// By how much what is held of the left end is off.
@@ -171,54 +131,17 @@ impl SpatialChain {
     }
 
     /// Takes the dead load off the residual and the tangent of the right end.
-    fn load_right(&self, at: SpatialConfiguration, carry: &mut Carry) {
+    fn load_right(&self, at: SpatialConfiguration, carry: &mut Carry<SPATIAL_UNKNOWNS>) {
         if self.ends[1].dead_load == [[0.0; 3]; 2] {
             return;
         }
         let (load, turned) = self.dead_load(at);
         for i in 0..SPATIAL_UNKNOWNS {
-            carry[i][SPATIAL_UNKNOWNS] -= load[i];
+            carry.residual[i] -= load[i];
         }
         for i in 0..3 {
             for j in 0..3 {
-                carry[3 + i][3 + j] -= turned[i][j];
-            }
-        }
-    }
-}
-
-/// [`SpatialChain::sweep_with`] compiled for the vector units that the machine may have, chosen when it runs.
-#[cfg_attr(
-    not(any(test, feature = "portable", debug_assertions)),
-    multiversion::multiversion(targets("x86_64+avx2+fma"))
-)]
-fn sweep<N: Nodes>(
-    chain: &SpatialChain,
-    at: SpatialConfiguration,
-    path: &SpatialFunctional,
-    added: NodalTerms,
-    factors: &mut SpatialFactors,
-) -> Result<CondensedSpatialChain, SolveError> {
-    chain.sweep_with(N::of_order(chain.basis.order), at, path, added, factors)
-}
-
-/// Adds to the interior nodes of four elements; the ends of elements are left to the chain.
-#[inline(always)]
-fn add_inside(nodes: impl Nodes, front: &mut SpatialFront, added: NodalTerms, elements: (usize, usize)) {
-    let mut own = no_values::<SPATIAL_UNKNOWNS>();
-    if !added.stiffness.is_empty() {
-        gather_nodes(nodes, added.stiffness, elements, &mut own);
-        for (node, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
-            for f in 0..SPATIAL_UNKNOWNS {
-                rows[f].fields[node][f] = rows[f].fields[node][f] + own[node][f];
-            }
-        }
-    }
-    if !added.force.is_empty() {
-        gather_nodes(nodes, added.force, elements, &mut own);
-        for (node, rows) in front.rows[..nodes.count() - 2].iter_mut().enumerate() {
-            for f in 0..SPATIAL_UNKNOWNS {
-                rows[f].residual = rows[f].residual + own[node][f];
+                carry.tangent[3 + i][3 + j] -= turned[i][j];
             }
         }
     }

@@ -5,10 +5,11 @@
 
 use super::density::{FACTOR, SpatialDensity};
 use super::kinematics::SPATIAL_FIELDS;
-use crate::beam::element::basis::{Basis, MOST_NODES, Nodes};
+use crate::beam::element::basis::Basis;
 use crate::beam::element::energy_density::MEMORY;
 use crate::beam::element::integration::Element;
 use crate::number::F64x4;
+use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 
 /// Numbers that are remembered at a point.
 pub const STRAINS: usize = 6;

@@ -2,9 +2,9 @@
 
 use super::branching_beam::{BranchMesh, EndEnergy, TreeMonitor};
 use super::topology::TreeBundle;
-use crate::beam::element::basis::{AnyNumber, Basis, Nodes, slot};
+use crate::beam::element::basis::Basis;
 use crate::beam::element::integrand::Integrand;
-use crate::beam::element::integration::{BUNDLE, Element, Integration};
+use crate::beam::element::integration::{Element, Integration};
 use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::chain::spatial_chain::{SpatialEnd, quaternion_of};
 use crate::beam::spatial::end_rotation::EndRotation;
@@ -16,6 +16,8 @@ use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS
 use crate::beam::spatial::section::strain_memory::{SpatialKnownStrains, StrainAt, strains_of};
 use crate::beam::viscosity::Viscosity;
 use crate::number::F64x4;
+use crate::solve::frontal::forest::Forest;
+use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, Nodes, slot};
 use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::time::dynamic_system::MaterialRate;
 use std::sync::Arc;
@@ -36,12 +38,10 @@ pub struct BeamTree {
     pub(super) basis: Basis,
     pub(super) products: Products,
     pub(super) branches: Arc<[TreeBranch]>,
-    /// Each branch behind the one that leads to it
-    pub(super) outward: Arc<[usize]>,
     /// Its elements, four at a time, those that are carried first
     pub(super) bundles: Arc<[TreeBundle]>,
-    /// Of each element the bundle, and which of its four it is
-    pub(super) lane_of: Arc<[[usize; 2]]>,
+    /// How it is eliminated
+    pub(super) forest: Arc<Forest>,
     /// The root, then the joints with conditions
     pub(super) ends: Arc<[TreeEnd]>,
     /// Of each joint, its place among the ends
@@ -50,8 +50,6 @@ pub struct BeamTree {
     pub(super) at_rest: Arc<[([f64; 3], Quaternion)]>,
     pub(super) nodes: usize,
     pub(super) elements: usize,
-    /// Numbers that the elimination of an element's interior leaves
-    pub(super) inside: usize,
     /// Joints at which a branch that adheres ends freely
     pub(super) pads: Arc<[usize]>,
     pub(super) monitors: [Option<TreeMonitor>; MONITORS],
@@ -227,6 +225,12 @@ impl BeamTree {
             }
         }
         all
+    }
+
+    /// The branch of an element, and which of its elements it is.
+    pub(super) fn branch_of(&self, element: usize) -> (&TreeBranch, usize) {
+        let branch = &self.branches[self.branches.partition_point(|own| own.first_element <= element) - 1];
+        (branch, element - branch.first_element)
     }
 
     /// Four elements of a branch from the k-th on, counted from the far joint; behind the last one it is repeated.

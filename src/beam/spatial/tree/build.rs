@@ -2,8 +2,7 @@
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
 use super::branching_beam::{Branch, BranchMesh, BranchingBeam, JointCondition, JointUnknown, TreeError, TreeMonitor};
-use super::inside::inside_length;
-use super::topology::{Topology, schedule};
+use super::topology::{Topology, TreeBundle, schedule};
 use crate::beam::element::basis::{Basis, MOST_ORDER};
 use crate::beam::spatial::chain::assembly::Products;
 use crate::beam::spatial::chain::spatial_chain::SpatialEnd;
@@ -11,6 +10,7 @@ use crate::beam::spatial::end_rotation::EndRotation;
 use crate::beam::spatial::rotation::{Quaternion, conjugate, product};
 use crate::beam::spatial::section::spatial_profile::Station;
 use crate::beam::viscosity::Viscosity;
+use crate::solve::frontal::forest::{Bundle, Forest, Piece};
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 
@@ -62,12 +62,6 @@ impl BranchingBeam {
         let mut end_of = vec![None; joints];
         ends.iter().enumerate().for_each(|(k, end)| end_of[end.joint] = Some(k));
         let bundles = schedule(&self.branches, &topology);
-        let mut lane_of = vec![[0; 2]; elements];
-        for (b, bundle) in bundles.iter().enumerate() {
-            for (l, &(branch, k)) in bundle.lanes.iter().enumerate().take(bundle.count) {
-                lane_of[branches[branch].first_element + branches[branch].inwards(k)] = [b, l];
-            }
-        }
         let is_pad = |joint: &usize| {
             let ends = |&b: &usize| self.branches[b].sections.adhering().is_some();
             *joint != self.root
@@ -78,18 +72,16 @@ impl BranchingBeam {
         let pads: Vec<usize> = (0..joints).filter(is_pad).collect();
         let basis = Basis::new(self.order);
         Ok(BeamTree {
+            forest: Arc::new(forest(&branches, &bundles, self.order, self.root)),
             bundles: bundles.into(),
-            lane_of: lane_of.into(),
             products: Products::new(&basis),
             basis,
             branches: branches.into(),
-            outward: topology.outward.into(),
             ends: ends.into(),
             end_of: end_of.into(),
             at_rest: at_rest.into(),
             nodes,
             elements,
-            inside: inside_length(self.order),
             pads: pads.into(),
             monitors: self.monitors,
             scale: self.scale,
@@ -231,5 +223,35 @@ fn end(own: &JointCondition, rest: Quaternion) -> TreeEnd {
         own: SpatialEnd { axes: own.axes, rotation: own.rotation, rest, dead_load: own.dead_load },
         held: own.held,
         energy: own.energy.clone(),
+    }
+}
+
+/// How the elements of a tree are eliminated. Nodes are numbered as in its directions, joints as nodes.
+fn forest(branches: &[TreeBranch], bundles: &[TreeBundle], order: usize, root: usize) -> Forest {
+    let pieces = |branch: &TreeBranch| {
+        let piece = |e: usize| {
+            let (node, near) = (|rank| branch.node(order, e, rank), branch.near);
+            let is_last = branch.inwards(branch.elements - 1) == e;
+            Piece {
+                ends: if near == 1 { [node(0), node(order)] } else { [node(order), node(0)] },
+                near,
+                inside: branch.first_node + e * order,
+                from: branch.far_joint(),
+                onto: if is_last { branch.near_joint() } else { branch.far_joint() },
+                is_first: branch.inwards(0) == e,
+            }
+        };
+        (0..branch.elements).map(piece).collect::<Vec<_>>()
+    };
+    let bundle = |own: &TreeBundle| {
+        let number = |&(branch, k): &(usize, usize)| branches[branch].first_element + branches[branch].inwards(k);
+        Bundle::of(&own.lanes[..own.count].iter().map(number).collect::<Vec<_>>())
+    };
+    Forest {
+        order,
+        pieces: branches.iter().flat_map(pieces).collect(),
+        bundles: bundles.iter().map(bundle).collect(),
+        joints: branches.len() + 1,
+        root: [root, root],
     }
 }

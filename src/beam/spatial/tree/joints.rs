@@ -2,12 +2,12 @@
 
 use super::beam_tree::{BeamTree, TreeBranch, TreeEnd};
 use super::branching_beam::EndResponse;
-use crate::beam::element::basis::{Nodes, slot};
 use crate::beam::spatial::chain::projection::{EndMaps, SAME, SpatialFront};
 use crate::beam::spatial::chain::spatial_chain::quaternion_of;
 use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, Quaternion, apply, apply_transposed, dot, matrix, multiply_transposed};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
+use crate::solve::frontal::nodes::{Nodes, slot};
 
 const F: usize = SPATIAL_UNKNOWNS;
 const N: usize = SPATIAL_FIELDS;

@@ -5,8 +5,7 @@
 
 use super::beam_tree::{ANGLES, BeamTree, TreeBranch};
 use super::branching_beam::{BranchMesh, TreeMonitor};
-use crate::beam::element::basis::slot;
-use crate::beam::element::integration::{BUNDLE, Element};
+use crate::beam::element::integration::Element;
 use crate::beam::mesh::MeshPolicy;
 use crate::beam::spatial::above_ground::LettingGo;
 use crate::beam::spatial::chain::fields_along::FieldsAlong;
@@ -16,6 +15,7 @@ use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::kinematics::SPATIAL_FIELDS;
 use crate::beam::spatial::spatial_system::{MOVED, NEARER};
 use crate::number::F64x4;
+use crate::solve::frontal::nodes::{BUNDLE, slot};
 use crate::solve::state::{MONITORS, Mesh, State};
 use crate::solve::system::System;
 

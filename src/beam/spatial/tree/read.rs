@@ -1,14 +1,14 @@
 //! What is read off a tree: its energy, its residual, its tangent entry by entry, and its branches as they lie.
 
 use super::beam_tree::{BeamTree, TreeBranch};
-use crate::beam::element::basis::{MOST_NODES, slot};
-use crate::beam::element::integration::{BUNDLE, Element, Responses};
+use crate::beam::element::integration::{Element, Responses};
 use crate::beam::spatial::chain::projection::{FieldFront, SpatialFront, project, projected, turn_to_quaternion};
 use crate::beam::spatial::chain::read::normalise;
 use crate::beam::spatial::chain::spatial_chain::{no_values, quaternion_of};
 use crate::beam::spatial::rotation::{Quaternion, apply, matrix};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::F64x4;
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, slot};
 use crate::solve::state::State;
 use serde::{Deserialize, Serialize};
 

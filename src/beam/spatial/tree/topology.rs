@@ -4,7 +4,7 @@
 //! one another: of a tree whose branches have an element each the others would be idle. Each is eliminated behind those that it carries.
 
 use super::branching_beam::{Branch, TreeError};
-use crate::beam::element::integration::BUNDLE;
+use crate::solve::frontal::nodes::BUNDLE;
 
 /// The branches from the root outwards: each behind the one that leads to it.
 pub(super) struct Topology {

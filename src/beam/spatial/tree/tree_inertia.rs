@@ -7,17 +7,16 @@
 //! With these masses, if it has any, and viscous strains at its Gauss points the tree is a [`DynamicSystem`].
 
 use super::beam_tree::{BeamTree, NodeInertia, NodeRates};
-use super::factors::TreeFactors;
 use super::sweep::Added;
-use crate::beam::element::basis::slot;
-use crate::beam::spatial::chain::end_block::Carry;
+use crate::beam::spatial::chain::room::SpatialFactors;
 use crate::beam::spatial::chain::spatial_chain::quaternion_of;
 use crate::beam::spatial::end_rotation::{EndMap, EndRotation};
 use crate::beam::spatial::rotation::{Matrix3, apply, cross, dot, matrix};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use crate::beam::spatial::shared_system::condensed;
 use crate::beam::spatial::spatial_motion::axes_change;
 use crate::solve::error::SolveError;
+use crate::solve::frontal::end_block::Carry;
+use crate::solve::frontal::nodes::slot;
 use crate::solve::state::{MONITORS, State};
 use crate::solve::system::{CondensedSystem, NodalTerms, System};
 use crate::solve::time::dynamic_system::{DynamicSystem, MaterialRate, StepTerms, ViscousPower};
@@ -142,12 +141,12 @@ impl BeamTree {
     }
 
     /// Adds to joints what a step in time adds to their equations: forces, and the mass over β' h², with what couples the turns of a joint.
-    pub(super) fn load_with_inertia(&self, values: &[f64], nodal: NodalTerms, carries: &mut [Carry]) {
+    pub(super) fn load_with_inertia(&self, values: &[f64], nodal: NodalTerms, carries: &mut [Carry<F>]) {
         for (joint, carry) in carries.iter_mut().enumerate() {
             for f in 0..F {
                 let (stiffness, force) = nodal.at(joint * F + f);
-                carry[f][f] += stiffness;
-                carry[f][F] += force;
+                carry.tangent[f][f] += stiffness;
+                carry.residual[f] += force;
             }
             let Some(NodeInertia { mass, moments }) = self.inertia.get(joint).filter(|own| own.mass > 0.0) else {
                 continue;
@@ -156,7 +155,7 @@ impl BeamTree {
             let moments = self.map_of(values, joint).map_or(*moments, |(map, _)| taken_back(&map, moments));
             for i in 0..3 {
                 for j in (0..3).filter(|&j| j != i) {
-                    carry[3 + i][3 + j] += factor * moments[i][j];
+                    carry.tangent[3 + i][3 + j] += factor * moments[i][j];
                 }
             }
         }
@@ -195,13 +194,9 @@ impl DynamicSystem for BeamTree {
     fn factorise_step(&self, at: &State, terms: &StepTerms, ws: &mut Workspace) -> Result<CondensedSystem, SolveError> {
         let tree = self.in_step(terms.rate);
         let nodal = if self.inertia.is_empty() { NodalTerms::NONE } else { terms.nodal };
-        let added = Added { damping: 0.0, nodal, adhering: 0.0 };
-        let root = tree.eliminate_with(at, [0.0; MONITORS], added, ws.factors::<TreeFactors>())?;
-        Ok(condensed(
-            &root.matrix,
-            (root.negative, root.least_pivot),
-            tree.evaluation(at, [root.energy, root.adhering]),
-        ))
+        let added = Added { damping: 0.0, nodal };
+        let root = tree.eliminate_with(at, [0.0; MONITORS], added, ws.factors::<SpatialFactors>())?;
+        Ok(root.condensed(tree.evaluation(at, root.integrals)))
     }
 
     fn relaxed_memory(&self, at: &State) -> Vec<f64> {

@@ -2,13 +2,13 @@
 
 use super::beam_tree::{ANGLES, ASIDE, BeamTree, TreeBranch};
 use super::branching_beam::{JointUnknown, TreeMonitor};
-use super::factors::TreeFactors;
 use super::sweep::Added;
 use crate::beam::spatial::chain::read::normalise;
+use crate::beam::spatial::chain::room::SpatialFactors;
 use crate::beam::spatial::end_rotation::{EndRotation, turned};
 use crate::beam::spatial::rotation::apply_transposed;
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
-use crate::beam::spatial::shared_system::{condensed, node_difference, step_node};
+use crate::beam::spatial::shared_system::{node_difference, step_node};
 use crate::solve::error::SolveError;
 use crate::solve::state::{MONITORS, Mesh, State, weighted_sum};
 use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
@@ -107,25 +107,21 @@ impl System for BeamTree {
         ws: &mut Workspace,
     ) -> Result<CondensedSystem, SolveError> {
         // of an infinite time there is none
-        let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE, adhering: 0.0 };
-        let root = self.eliminate_with(at, weights, added, ws.factors::<TreeFactors>())?;
-        Ok(condensed(
-            &root.matrix,
-            (root.negative, root.least_pivot),
-            self.evaluation(at, [root.energy, root.adhering]),
-        ))
+        let added = Added { damping: 1.0 / coefficients.per_damping, nodal: NodalTerms::NONE };
+        let root = self.eliminate_with(at, weights, added, ws.factors::<SpatialFactors>())?;
+        Ok(root.condensed(self.evaluation(at, root.integrals)))
     }
 
     fn recover(&self, ws: &Workspace, interface: &[f64; INTERFACE], scale: f64, direction: &mut [f64]) {
-        self.recover(ws.factored::<TreeFactors>(), interface, scale, direction);
+        ws.factored::<SpatialFactors>().recover(interface, scale, direction);
     }
 
     fn reduce(&self, ws: &Workspace, right: &mut [f64], transposed: bool) -> [f64; INTERFACE] {
-        self.reduce(ws.factored::<TreeFactors>(), right, transposed)
+        ws.factored::<SpatialFactors>().reduce(right, transposed)
     }
 
     fn substitute(&self, ws: &Workspace, interface: &[f64; INTERFACE], right: &mut [f64], transposed: bool) {
-        self.substitute(ws.factored::<TreeFactors>(), interface, right, transposed);
+        ws.factored::<SpatialFactors>().substitute(interface, right, transposed);
     }
 
     fn evaluate(&self, at: &State, direction: &[f64]) -> (Evaluation, Rates) {

@@ -9,7 +9,7 @@ use super::setup::{four_tips, moved, pseudo_random};
 use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector6};
 use peelkit::beam::rotation::{Quaternion, apply_transposed, cross, matrix};
-use peelkit::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeFactors, TreeMonitor};
+use peelkit::beam::{BeamTree, EndEnergy, EndResponse, JointCondition, JointUnknown, SpatialFactors, TreeMonitor};
 use peelkit::solve::{State, System};
 use std::sync::Arc;
 
@@ -148,9 +148,9 @@ fn elimination_solves_the_dense_system_and_its_transpose() {
     for (order, moment) in [(1, 0.7), (3, 0.0), (4, 0.7)] {
         let tree = tree(order, moment);
         let at = moved(&tree, 0.2);
-        let (n, mut factors) = (tree.unknowns(&at), TreeFactors::default());
+        let (n, mut factors) = (tree.unknowns(&at), SpatialFactors::default());
         let condensed = tree.eliminate(&at, [0.3, -0.2], 0.0, &mut factors).unwrap();
-        let root = Matrix6::from_fn(|i, j| condensed.matrix[i][j]);
+        let root = Matrix6::from_fn(|i, j| condensed.root.tangent[i][j]);
         let tangent = dense(&tree, &at);
         // a right-hand side, both ways
         for transposed in [false, true] {
@@ -159,9 +159,9 @@ fn elimination_solves_the_dense_system_and_its_transpose() {
                 if transposed { (tangent.transpose(), root.transpose()) } else { (tangent.clone(), root) };
             let wanted = dense.lu().solve(&DVector::from(right.clone())).unwrap();
             let mut found = right;
-            let reduced = tree.reduce(&factors, &mut found, transposed);
+            let reduced = factors.reduce(&mut found, transposed);
             let at_root = own.lu().solve(&Vector6::from(reduced)).unwrap();
-            tree.substitute(&factors, &at_root.into(), &mut found, transposed);
+            factors.substitute(&at_root.into(), &mut found, transposed);
             let miss = (DVector::from(found) - &wanted).abs().max() / wanted.abs().max();
             assert!(miss < 1e-9, "order {order}, transposed {transposed}: {miss}");
         }
@@ -169,14 +169,14 @@ fn elimination_solves_the_dense_system_and_its_transpose() {
         let residual = DVector::from(tree.residual(&at));
         let inverse = tangent.lu();
         let wanted = inverse.solve(&residual).unwrap();
-        let column = Vector6::from_fn(|i, _| condensed.matrix[i][6]);
+        let column = Vector6::from_fn(|i, _| condensed.root.residual[i]);
         let mut found = vec![0.0; n];
-        tree.recover(&factors, &root.lu().solve(&column).unwrap().into(), 1.0, &mut found);
+        factors.recover(&root.lu().solve(&column).unwrap().into(), 1.0, &mut found);
         assert!((DVector::from(found) - &wanted).abs().max() < 1e-9 * wanted.abs().max());
         let gradient = DVector::from(tree.gradient(&at, [0.3, -0.2]));
-        let row = nalgebra::RowVector6::from_fn(|_, j| condensed.matrix[6][j]);
+        let row = nalgebra::RowVector6::from_fn(|_, j| condensed.root.path[j]);
         // g·K⁻¹R from what is left of the path row
-        let left = -condensed.matrix[6][6] + (row * root.lu().solve(&column).unwrap())[0];
+        let left = -condensed.root.path_residual + (row * root.lu().solve(&column).unwrap())[0];
         assert_abs_diff_eq!(left, gradient.dot(&wanted), epsilon = 1e-9 * wanted.abs().max());
     }
 }
@@ -188,7 +188,7 @@ fn inertia_is_that_of_the_dense_matrix() {
         let mut seen = Vec::new();
         for by in [0.0, 0.1, 0.3, 0.6, 1.0] {
             let at = moved(&tree, by);
-            let found = tree.eliminate(&at, [0.0; 2], 0.0, &mut TreeFactors::default()).unwrap();
+            let found = tree.eliminate(&at, [0.0; 2], 0.0, &mut SpatialFactors::default()).unwrap();
             let tangent = dense(&tree, &at);
             let is_held = |unknown: usize| {
                 let row = tangent.row(unknown);

@@ -3,10 +3,10 @@
 //! Rows: the interface's equations, those of the driven unknown and of the one across turned into the direction of the drive, or held
 //! values; then the path constraint. Columns: the interface, then the force.
 
-use super::error::SolveError;
-use super::problem::Problem;
-use super::state::{Observables, PathConstraint, State};
-use super::system::{CondensedSystem, INTERFACE};
+use crate::solve::error::SolveError;
+use crate::solve::problem::Problem;
+use crate::solve::state::{Observables, PathConstraint, State};
+use crate::solve::system::{CondensedSystem, INTERFACE};
 use nalgebra::{RowSVector, SMatrix, SVector};
 
 /// Unknowns of the block: the interface and the force.
@@ -15,7 +15,7 @@ const BLOCK: usize = INTERFACE + 1;
 const SMALL: usize = 5;
 
 /// The block at one state.
-pub(super) struct GripBlock<'p> {
+pub(in crate::solve) struct GripBlock<'p> {
     problem: &'p Problem,
     /// Unknowns of the interface; the force comes behind them.
     interface: usize,
@@ -27,7 +27,7 @@ pub(super) struct GripBlock<'p> {
 
 /// Solution of a [`GripBlock`].
 #[derive(Clone, Copy, Debug)]
-pub(super) struct GripStep {
+pub(in crate::solve) struct GripStep {
     /// Of the unknowns of the interface.
     pub interface: [f64; INTERFACE],
     pub force: f64,

@@ -1,13 +1,12 @@
 //! The front of an element: its tangent with all that elimination takes along.
 
-use super::basis::{Basis, MOST_NODES, Nodes};
-use super::energy_density::PointResponse;
+use super::nodes::{MOST_NODES, Nodes};
 use crate::number::Real;
 
 /// One row: an equation, with a column for each unknown.
 #[derive(Clone, Copy, Debug)]
 pub struct FrontalRow<T, const F: usize> {
-    /// Columns of the fields, node by node in the elimination order of [`Basis`].
+    /// Columns of the fields, node by node in the order of elimination.
     pub fields: [[T; F]; MOST_NODES],
     /// Column of the border.
     pub border: T,
@@ -131,9 +130,9 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
         Self { rows: [[row; F]; MOST_NODES], border: row, path: row }
     }
 
-    /// Clears what [`Self::add_gradient`] adds to.
+    /// Clears the gradient, the border and the path.
     #[inline(always)]
-    pub(super) fn clear_gradient<const BORDER: bool>(&mut self, nodes: impl Nodes) {
+    pub fn clear_gradient<const BORDER: bool>(&mut self, nodes: impl Nodes) {
         let zero = T::splat(0.0);
         for row in &mut self.rows.as_flattened_mut()[..F * nodes.count()] {
             (row.border, row.residual) = (zero, zero);
@@ -141,38 +140,6 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
         self.path.clear(nodes);
         if BORDER {
             self.border.clear(nodes);
-        }
-    }
-
-    /// Adds what Gauss point `q` gives to gradient, border and path; `once` weighs values and `twice` slopes.
-    #[inline(always)]
-    pub(super) fn add_gradient<const BORDER: bool>(
-        &mut self,
-        nodes: impl Nodes,
-        r: &PointResponse<T, F>,
-        basis: &Basis,
-        q: usize,
-        (once, twice): (T, T),
-        path_weight: f64,
-    ) {
-        for f in 0..F {
-            let (on_value, on_slope) = (r.by_value[f] * once, r.by_slope[f] * twice);
-            let on_path = r.coverage_by_value[f] * once * path_weight;
-            for a in 0..nodes.count() {
-                let (value, slope) = (basis.value[q][a], basis.slope[q][a]);
-                let row = &mut self.rows[a][f];
-                row.residual = row.residual + on_value * value + on_slope * slope;
-                self.path.fields[a][f] = self.path.fields[a][f] + on_path * value;
-                if BORDER {
-                    let mixed = r.border_value[f] * once * value + r.border_slope[f] * twice * slope;
-                    row.border = row.border + mixed;
-                    self.border.fields[a][f] = self.border.fields[a][f] + mixed;
-                }
-            }
-        }
-        if BORDER {
-            self.border.border = self.border.border + r.border_border * once;
-            self.border.residual = self.border.residual + r.by_border * once;
         }
     }
 
