@@ -33,6 +33,9 @@ pub struct DerivedOfSection {
     /// The steady force of a film that slides along the substrate without friction, at the angle α of the pull, nN: P (1 - cos α) + P² sin² α/(2EA) =
     /// w b. What is bonded carries P cos α as well and is stretched by that before it peels; none in space
     pub sliding_force: Option<f64>,
+    /// Kendall's force with the work in shear in place of that of opening, nN, where it has one of its own: a long strip peels between both, and one
+    /// that is pulled along itself at this one
+    pub kendall_force_in_shear: Option<f64>,
     /// EA (nN), GA_s (nN) and EI (nN nm²)
     pub stiffness: Section,
     /// Height of the axis above the adhering face at rest, nm: h/2
@@ -108,16 +111,18 @@ impl PeelModel {
         let thickness = height * self.thickness_over_height();
         let (law, axial) = (self.material().stretch, stiffness.axial);
         let slides = self.space.is_none() && self.adhesion.shear_strength.is_none();
-        let of_law = |slides| stretched_force(law, work * width, axial, self.pull.angle, slides);
+        let bonded = |work: f64| match law {
+            StretchLaw::Linear => kendall_force(work, modulus, height, width, self.angle_to_strip()),
+            _ => stretched_force(law, work * width, axial, self.pull.angle, false),
+        };
+        let in_shear = self.adhesion.sheared_law().filter(|law| !law.has_potential());
         DerivedOfSection {
             work_of_adhesion: work,
-            kendall_force: match law {
-                StretchLaw::Linear => kendall_force(work, modulus, height, width, self.angle_to_strip()),
-                _ => of_law(false),
-            },
+            kendall_force: bonded(work),
+            kendall_force_in_shear: in_shear.map(|law| bonded(law.shear_work())),
             sliding_force: slides.then(|| match law {
                 StretchLaw::Linear => sliding_force(-work * width, axial, self.pull.angle),
-                _ => of_law(true),
+                _ => stretched_force(law, work * width, axial, self.pull.angle, true),
             }),
             stiffness,
             neutral_axis: 0.5 * height,

@@ -35,6 +35,9 @@ pub struct Adhesion {
     /// Shear strength of a cohesive law, GPa; none: it holds nothing along the ground
     #[serde(default)]
     pub shear_strength: Option<f64>,
+    /// Work that slip along the ground takes, J/m², beside a shear strength; none: that of opening
+    #[serde(default)]
+    pub shear_work: Option<f64>,
     /// Whether the contact moment acts beside the line force
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms).
@@ -58,6 +61,7 @@ impl Adhesion {
             work: None,
             strength: None,
             shear_strength: None,
+            shear_work: None,
             line_load: LineLoad::Full,
             far_face: true,
         }
@@ -74,7 +78,7 @@ impl Adhesion {
     pub fn sheared_law(&self) -> Option<ShearedLaw> {
         let law = self.attraction.law(&self.half_space(), self.work, self.strength);
         match (law, self.shear_strength) {
-            (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength)),
+            (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength, self.shear_work)),
             _ => None,
         }
     }
@@ -247,6 +251,11 @@ impl PeelModel {
         let flat = self.ground.substrate.is_flat() && self.space.is_none();
         let reducible = flat && self.tangential_stiffness().is_none() && self.material().stretch.is_linear();
         if reducible { asked } else { Form::ThreeField }
+    }
+
+    /// Whether what acts on it is the gradient of an energy, but for friction.
+    pub fn has_potential(&self) -> bool {
+        self.line_law().has_potential() && self.adhesion.sheared_law().is_none_or(|law| law.has_potential())
     }
 
     /// The law of its friction, if there is any.

@@ -98,6 +98,12 @@ fn a_shear_strength_is_that_of_a_strip_under_a_cohesive_law() {
     assert_eq!(scene.model.adhesion.shear_strength, Some(0.02));
     assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
     assert_says(&shown(MINIMAL, &held), &["belongs to a cohesive law"]);
+    let tough = set("adhesion.shear_work", "0.1 J/m2");
+    assert_says(&shown(&law, &tough), &["holds along the substrate, and this one has no shear strength", "Give"]);
+    assert_says(&shown(MINIMAL, &tough), &["belongs to a cohesive law"]);
+    let scene = Scene::parse("a.toml", &law, &[held.clone(), tough].concat()).unwrap();
+    assert_eq!(scene.model.adhesion.shear_work, Some(0.1));
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
     let beside = |lines: &str, what: &str| {
         assert_says(
             &shown(&format!("{law}{lines}"), &held),

@@ -63,6 +63,9 @@ fn every_example_that_messages_give_is_right() {
             "time" => format!("{MINIMAL}{}", timed(key.name)),
             "friction" => format!("{MINIMAL}[friction]\nstrength = \"50 MPa\"\n"),
             "adhesion" if key.name == "table" => MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"table\"\n"),
+            _ if key.name == "shear_work" => {
+                MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\nshear_strength = \"0.1 GPa\"\n")
+            }
             _ if ["work", "strength", "shear_strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
@@ -122,7 +125,9 @@ fn assert_remarks_show_defaults(name: &str) {
     let uncommented: Vec<&str> = text.lines().map(|line| if is_line(line) { &line[2..] } else { line }).collect();
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
-    let of_a_strip = |key: &Key| !["pretension", "shear_strength"].contains(&key.name) || plain.model.strip().is_some();
+    let of_a_strip = |key: &Key| {
+        !["pretension", "shear_strength", "shear_work"].contains(&key.name) || plain.model.strip().is_some()
+    };
     let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
     for key in KEYS.iter().filter(shown) {
         assert!(text.contains(&format!("{} = ", key.name)), "{} is not shown", key.path());

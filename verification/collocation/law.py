@@ -41,6 +41,7 @@ class Beam:
     r0: float = 0.4                      # nm
     friction: Friction | None = None
     shear_strength: float | None = None  # GPa, of a cohesive law; None: it slides
+    shear_work: float | None = None      # J/m^2, of slip beside it; None: that of opening
     stretching: str = "linear"             # linear | neo-hookean | neo-hookean-wide
 
     slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s

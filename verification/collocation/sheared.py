@@ -1,10 +1,13 @@
-"""A cohesive law that holds along the substrate as well, after Xu and Needleman (1994).
+"""A cohesive law that holds along the substrate as well, after Xu and Needleman (1994) and van den Bosch, Schreurs and Geers (2006).
 
 The bottom face's point of a section has slipped by t = w + (h/2) sin theta, w = x - S. With Psi = Psi_pull + Psi_push of the cohesive law, what
 attracts an open face and what repels a pressed one,
     Psi(x, y, theta) = Psi_pull B(t) + Psi_push,   B = exp(-t^2/delta^2),   delta = (2/e)^(1/2) work/shear_strength:
 that of the law alone and  E = Psi_pull C(t),  C = B - 1.  So
     H' = b E_w,   V' = ... + b E_y,   M' = ... + b E_theta.
+With a work of slip of its own, k times that of opening, delta is that of this work, and the traction along the substrate k times as large:
+    H' = b k E_w,   M' = ... + b (E_theta + (k - 1) E_w (h/2) cos theta),
+which has no potential.
 Where the face is just closed the stiffness of Psi_pull begins: a corner.
 """
 import math
@@ -14,14 +17,24 @@ import numpy as np
 from . import laws
 
 
+def shear_work(c):
+    """Of slip, nN/nm."""
+    return laws.work(c) if c.shear_work is None else c.shear_work
+
+
+def ratio(c):
+    """k."""
+    return shear_work(c) / laws.work(c)
+
+
 def scale(c):
     """delta, nm."""
-    return math.sqrt(2.0 / math.e) * laws.work(c) / c.shear_strength
+    return math.sqrt(2.0 / math.e) * shear_work(c) / c.shear_strength
 
 
 def stiffness(c):
     """Along the substrate at rest, nN/nm^3."""
-    return 2.0 * laws.work(c) / scale(c) ** 2
+    return 2.0 * shear_work(c) / scale(c) ** 2
 
 
 def pull(c, g, th):
@@ -35,7 +48,7 @@ def pull(c, g, th):
 
 
 def excess(c, z):
-    """E with its gradient (y, theta, w) and Hessian, rows and columns in the same order."""
+    """E, what stands in place of its gradient (y, theta, w), and the derivatives of that, rows and columns in the same order."""
     P, Py, Pt, Pyy, Pyt, Ptt = pull(c, z[..., 0], z[..., 1])
     half = 0.5 * c.height
     arm, rise = half * np.cos(z[..., 1]), half * np.sin(z[..., 1])
@@ -43,10 +56,14 @@ def excess(c, z):
     C = np.expm1(-t * t / d2)
     C1 = -2.0 * t / d2 * (C + 1.0)
     C2 = (4.0 * t * t / d2 - 2.0) / d2 * (C + 1.0)
-    gradient = Py * C, Pt * C + P * C1 * arm, P * C1
-    yt, yw, tw = Pyt * C + Py * C1 * arm, Py * C1, Pt * C1 + P * C2 * arm
-    tt = Ptt * C + 2.0 * Pt * C1 * arm + P * (C2 * arm * arm - C1 * rise)
-    return P * C, gradient, ((Pyy * C, yt, yw), (yt, tt, tw), (yw, tw, P * C2))
+    k = ratio(c)
+    gradient = Py * C, Pt * C + k * P * C1 * arm, k * P * C1
+    wt = k * (Pt * C1 + P * C2 * arm)
+    tt = Ptt * C + (1.0 + k) * Pt * C1 * arm + k * P * (C2 * arm * arm - C1 * rise)
+    rows = ((Pyy * C, Pyt * C + Py * C1 * arm, Py * C1),
+            (Pyt * C + k * Py * C1 * arm, tt, Pt * C1 + k * P * C2 * arm),
+            (k * Py * C1, wt, k * P * C2))
+    return P * C, gradient, rows
 
 
 def field(c, z, smooth, jac):

@@ -56,7 +56,10 @@ class Suite:
         """The beam of a row of a table."""
         def value(column, default):
             text = row[column]
-            return text == "true" if isinstance(default, bool) else text if isinstance(default, str) else float(text)
+            if isinstance(default, bool):
+                return text == "true"
+            # what is not given is empty, as a number that is None
+            return text if isinstance(default, str) else float(text) if text else None
 
         names = {field.name for field in fields(self.paper)}
         return replace(self.paper, **{name: value(column, getattr(self.paper, name)) for column, name in self.defining.items()

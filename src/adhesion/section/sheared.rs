@@ -9,13 +9,25 @@
 //! τ = (2/e)^(1/2) w/δ_t, and its work is w: as much as it takes to open the face. The load is minus the gradient of Ψ, so the tangent is symmetric, and
 //! an equilibrium does not depend on how it was reached.
 //!
-//! Source: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
-//! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure.
+//! With a work w_t of its own the shear traction is w_t/w times as large, and δ_t = (2/e)^(1/2) w_t/τ. Opening and slip take the works
+//!
+//!   G_n = w ∫ B (-dA),   G_t = w_t ∫ A (-dB),   A = Ψ_pull/Ψ_pull(closed),
+//!
+//! and both A and B fall from one to zero, or one of them does: so G_n/w + G_t/w_t = 1, the linear criterion of mixed modes, whatever the way. Unless
+//! the works are equal there is no potential, and the tangent is not symmetric.
+//!
+//! Sources: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
+//! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure; two works are those of
+//! M. J. van den Bosch, P. J. G. Schreurs, M. G. D. Geers, An improved description of the exponential Xu and Needleman cohesive zone law for
+//! mixed-mode decohesion, Eng. Fract. Mech. 73 (2006), eqs. (28) and (29).
 
 use super::calibrated::Cohesive;
 use crate::number::Real;
 use crate::number::root::Bracket;
 use std::f64::consts::{E, FRAC_1_SQRT_2};
+
+/// Works that differ by no more than this share are the same.
+const SAME_WORK: f64 = 1e-12;
 
 /// A cohesive law with a shear strength, on level ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,28 +36,46 @@ pub struct ShearedLaw {
     pub cohesive: Cohesive,
     /// δ_t, nm
     pub slip_scale: f64,
+    /// w_t/w
+    pub work_ratio: f64,
 }
 
-/// Potential and load of a section per length and width, with the tangent, by x, y and θ. The load is minus the gradient.
+/// Potential and load of a section per length and width, with the tangent, by x, y and θ. The load is minus the gradient, which is that of the
+/// potential where the works are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShearedResponse<T> {
     /// Ψ, nN/nm
     pub energy: T,
+    /// How Ψ changes with x, y and θ: minus the load, where that has a potential
+    pub energy_change: [T; 3],
     /// Minus the load: nN/nm², nN/nm², nN/nm
     pub gradient: [T; 3],
-    /// The second derivatives of Ψ
+    /// How each of these changes with x, y and θ
     pub tangent: [[T; 3]; 3],
 }
 
 impl ShearedLaw {
-    /// With this shear strength, nN/nm².
-    pub fn new(cohesive: Cohesive, shear_strength: f64) -> Self {
-        Self { cohesive, slip_scale: (2.0 / E).sqrt() * cohesive.work() / shear_strength }
+    /// With this shear strength, nN/nm², and work in shear, nN/nm; none: that of opening.
+    pub fn new(cohesive: Cohesive, shear_strength: f64, shear_work: Option<f64>) -> Self {
+        let work = cohesive.work();
+        // a work that is that of opening but for its rounding is that one
+        let shear_work = shear_work.filter(|own| (own / work - 1.0).abs() > SAME_WORK).unwrap_or(work);
+        Self { cohesive, slip_scale: (2.0 / E).sqrt() * shear_work / shear_strength, work_ratio: shear_work / work }
     }
 
-    /// The stiffness along the ground of a closed face that has not slipped, 2w/δ_t², nN/nm³.
+    /// w_t, nN/nm.
+    pub fn shear_work(&self) -> f64 {
+        self.work_ratio * self.cohesive.work()
+    }
+
+    /// Whether the load has a potential: where slip takes the work that opening does.
+    pub fn has_potential(&self) -> bool {
+        self.work_ratio == 1.0
+    }
+
+    /// The stiffness along the ground of a closed face that has not slipped, 2 w_t/δ_t², nN/nm³.
     pub fn stiffness(&self) -> f64 {
-        2.0 * self.cohesive.work() / self.slip_scale.powi(2)
+        2.0 * self.shear_work() / self.slip_scale.powi(2)
     }
 
     /// The slip beyond which a thousandth of the shear strength is not reached, nm.
@@ -68,25 +98,25 @@ impl ShearedLaw {
         // B' and B''
         let slope = -(t * hold * curved);
         let bend = (t * t * curved - 1.0) * hold * curved;
-        let along = pull.energy * slope;
-        let along_along = pull.energy * bend;
-        let along_gap = pull.by_gap * slope;
-        let along_rotation = pull.by_rotation * slope + along_along * lever;
-        let gap_rotation = pull.gap_rotation * hold + along_gap * lever + push.gap_rotation;
-        let rotation_rotation = pull.rotation_rotation * hold + (pull.by_rotation * slope + along_rotation) * lever
-            - along * arm
+        // the shear traction and its changes; how the normal one changes with the slip has no factor
+        let by_slip = pull.energy * slope;
+        let along = by_slip * self.work_ratio;
+        let along_along = pull.energy * bend * self.work_ratio;
+        let (gap_along, turn_along) = (pull.by_gap * slope, pull.by_rotation * slope);
+        let along_gap = gap_along * self.work_ratio;
+        let along_rotation = turn_along * self.work_ratio + along_along * lever;
+        let gap_rotation = |along: T| pull.gap_rotation * hold + along * lever + push.gap_rotation;
+        let rotation_rotation = pull.rotation_rotation * hold + (turn_along + along_rotation) * lever - along * arm
             + push.rotation_rotation;
+        let (by_gap, by_rotation) = (pull.by_gap * hold + push.by_gap, pull.by_rotation * hold + push.by_rotation);
         ShearedResponse {
             energy: pull.energy * hold + push.energy,
-            gradient: [
-                along,
-                pull.by_gap * hold + push.by_gap,
-                pull.by_rotation * hold + along * lever + push.by_rotation,
-            ],
+            energy_change: [by_slip, by_gap, by_rotation + by_slip * lever],
+            gradient: [along, by_gap, by_rotation + along * lever],
             tangent: [
                 [along_along, along_gap, along_rotation],
-                [along_gap, pull.gap_gap * hold + push.gap_gap, gap_rotation],
-                [along_rotation, gap_rotation, rotation_rotation],
+                [gap_along, pull.gap_gap * hold + push.gap_gap, gap_rotation(gap_along)],
+                [turn_along + along_along * lever, gap_rotation(along_gap), rotation_rotation],
             ],
         }
     }
@@ -104,7 +134,12 @@ mod tests {
 
     fn law(shape: CohesiveShape) -> ShearedLaw {
         let cohesive = Cohesive::calibrated(shape, PAPER.strength(), PAPER.work_of_adhesion(), &PAPER);
-        ShearedLaw::new(cohesive, 0.6 * PAPER.strength())
+        ShearedLaw::new(cohesive, 0.6 * PAPER.strength(), None)
+    }
+
+    /// The same with 2.5 times the work in shear.
+    fn tough(shape: CohesiveShape) -> ShearedLaw {
+        ShearedLaw::new(law(shape).cohesive, 0.6 * PAPER.strength(), Some(2.5 * PAPER.work_of_adhesion()))
     }
 
     fn at(law: &ShearedLaw, [slip, gap, rotation]: [f64; 3]) -> ShearedResponse<f64> {
@@ -115,8 +150,8 @@ mod tests {
     /// Sixth order differences of energy and gradient, at open and pressed, turned and turned over sections.
     #[test]
     fn gradient_and_tangent_are_differences() {
-        for &shape in CohesiveShape::ALL {
-            let law = law(shape);
+        let laws = CohesiveShape::ALL.iter().flat_map(|&shape| [law(shape), tough(shape)]);
+        for law in laws {
             let (closed, range) = (law.cohesive.closed, law.cohesive.range);
             let scales = [law.slip_scale, range, 0.1];
             for (slip, opening, rotation) in
@@ -142,10 +177,13 @@ mod tests {
                     let rounding = |value: f64| 8.0 * f64::EPSILON * value.abs() / step;
                     assert_relative_eq!(
                         slope(&|at| at.energy),
-                        here.gradient[f],
+                        here.energy_change[f],
                         epsilon = 1e-8 * size + rounding(here.energy),
                         max_relative = 1e-8
                     );
+                    if law.has_potential() {
+                        assert_eq!(here.energy_change, here.gradient);
+                    }
                     for g in 0..3 {
                         let size = size / scales[g];
                         let found = slope(&|at| at.gradient[g]);
@@ -176,5 +214,36 @@ mod tests {
         assert_relative_eq!(energy(9.0 * law.slip_scale) - energy(0.0), PAPER.work_of_adhesion(), max_relative = 1e-13);
         let stiffness = at(&law, [0.0, law.cohesive.closed, 0.0]).tangent[0][0];
         assert_relative_eq!(stiffness, law.stiffness(), max_relative = 1e-13);
+    }
+
+    /// Along straight and bent ways from a closed face to one that has let go: the works of both modes, summed up, meet the linear criterion.
+    #[test]
+    fn works_of_both_modes_meet_the_linear_criterion() {
+        let law = tough(CohesiveShape::Exponential);
+        let (closed, range) = (law.cohesive.closed, law.cohesive.range);
+        let [work, shear_work] = [law.cohesive.work(), law.shear_work()];
+        assert_relative_eq!(shear_work, 2.5 * PAPER.work_of_adhesion(), max_relative = 1e-14);
+        let ways: [fn(f64) -> [f64; 2]; 4] =
+            [|s| [0.0, 40.0 * s], |s| [9.0 * s, 0.0], |s| [9.0 * s, 40.0 * s], |s| [2.0 * s, 40.0 * s * s]];
+        let mut shares = Vec::new();
+        for way in ways {
+            let place = |s: f64| {
+                let [slip, opening] = way(s);
+                [slip * law.slip_scale, closed + opening * range, 0.0]
+            };
+            // the middle rule converges with its second order
+            let (steps, mut works) = (20_000, [0.0; 2]);
+            for k in 0..steps {
+                let [from, to] = [k, k + 1].map(|k| place(f64::from(k) / f64::from(steps)));
+                let load = at(&law, place((f64::from(k) + 0.5) / f64::from(steps))).gradient;
+                works[0] += load[1] * (to[1] - from[1]);
+                works[1] += load[0] * (to[0] - from[0]);
+            }
+            let shear = works[1] / shear_work;
+            assert_relative_eq!(works[0] / work + shear, 1.0, epsilon = 2e-5);
+            shares.push(shear);
+        }
+        assert!(shares[0] == 0.0 && (shares[1] - 1.0).abs() < 1e-5, "{shares:?}");
+        assert!(shares[2..].iter().all(|share| (0.02..0.98).contains(share)), "{shares:?}");
     }
 }

@@ -59,7 +59,10 @@ fn key_of_length(body: &Body) -> &'static str {
 fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     let adhesion = &model.adhesion;
     let numbers = [("adhesion.work", adhesion.work, "J/m2"), ("adhesion.strength", adhesion.strength, "GPa")];
-    let shear = [("adhesion.shear_strength", adhesion.shear_strength, "GPa")];
+    let shear = [
+        ("adhesion.shear_strength", adhesion.shear_strength, "GPa"),
+        ("adhesion.shear_work", adhesion.shear_work, "J/m2"),
+    ];
     let given = |(key, value, unit): (&'static str, Option<f64>, &'static str)| {
         value.map(|value| (key, Measured { value, unit }))
     };
@@ -81,10 +84,14 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     }
 }
 
-/// That what holds along the ground is a strip on flat ground in the plane, with the contact moment and without pretension.
+/// That what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the contact moment and without pretension.
 fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
     if model.adhesion.shear_strength.is_none() {
-        return Ok(());
+        let error = |value| {
+            let found = Measured { value, unit: "J/m2" };
+            Err(ModelError::new("adhesion.shear_work", ModelErrorKind::NotHeldInShear { found }))
+        };
+        return model.adhesion.shear_work.map_or(Ok(()), error);
     }
     let beside = [
         (model.strip().is_none(), "a body that is no strip"),

@@ -50,7 +50,7 @@ pub(super) fn check(model: &PeelModel) -> Result<(), ModelError> {
     if turn != 0.0 && free {
         return Err(ModelError::new("drive.turn", ModelErrorKind::TurnOfFreeGrip { turn }));
     }
-    if turn != 0.0 && !model.line_law().has_potential() {
+    if turn != 0.0 && !model.has_potential() {
         let found = Measured { value: turn, unit: "rad/nm" };
         return Err(ModelError::new("drive.turn", ModelErrorKind::TurnWithoutPotential { found }));
     }

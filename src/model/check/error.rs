@@ -64,6 +64,9 @@ pub enum ModelErrorKind {
     /// The same beside a table of tractions.
     #[error("follows from the table of tractions")]
     BesideTable { found: Measured },
+    /// A work in shear without a shear strength.
+    #[error("belongs to an adhesive that holds along the substrate, and this one has no shear strength")]
+    NotHeldInShear { found: Measured },
     /// Something beside what is not computed with it.
     #[error("is given beside {what}, which is not computed with {with}")]
     Beside { what: &'static str, with: &'static str },
@@ -167,6 +170,7 @@ impl ModelErrorKind {
             | Self::NotOfCohesiveLaw { found }
             | Self::BesideTable { found }
             | Self::NotStretched { found }
+            | Self::NotHeldInShear { found }
             | Self::NoShearStrength { found }
             | Self::FrictionOffFlatGround { found }
             | Self::FrictionBesideLaw { found }
@@ -220,6 +224,9 @@ impl ModelErrorKind {
         match self {
             Self::NotFinite { .. } | Self::OutOfRange { .. } | Self::NotOfCohesiveLaw { .. } | Self::Substrate(_) => "",
             Self::BesideTable { .. } => "Remove it, or use another `law` than \"table\".",
+            Self::NotHeldInShear { .. } => {
+                "Give `shear_strength = \"1 MPa\"` beside it under [adhesion], or remove it."
+            }
             Self::NotStretched { .. } => {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`."
             }

@@ -80,6 +80,7 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("adhesion.work", "J/m2", Positive, |m| m.adhesion.work),
     number("adhesion.strength", "GPa", Positive, |m| m.adhesion.strength),
     number("adhesion.shear_strength", "GPa", Positive, |m| m.adhesion.shear_strength),
+    number("adhesion.shear_work", "J/m2", Positive, |m| m.adhesion.shear_work),
 
     number("substrate.radius", "nm", Positive, |m| of_substrate(m, "radius")),
     number("substrate.height", "nm", Positive, |m| of_substrate(m, "height")),

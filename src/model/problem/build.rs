@@ -171,7 +171,7 @@ impl PeelModel {
             sees_tilt: law.line_load != LineLoad::AxisGap,
             barrier: law.barrier(),
             slip_reach: self.adhesion.sheared_law().map(|law| law.slip_reach()),
-            conservative: law.has_potential() && friction.is_none(),
+            conservative: self.has_potential() && friction.is_none(),
             limits: self.limits(),
             inertia: None,
             substrate,

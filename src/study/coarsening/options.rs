@@ -258,7 +258,7 @@ pub(super) fn refuse(model: &PeelModel) -> Result<(), CoarseningError> {
             "Remove the table [friction]; grip.horizontal = \"fixed\" holds the free end of the pad",
         );
     }
-    if !model.line_law().has_potential() {
+    if !model.has_potential() {
         return refused(
             "the line load has no potential, and the table is one of an energy",
             "Give adhesion.line_load = \"full\" or \"axis-gap\"",

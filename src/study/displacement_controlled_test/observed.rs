@@ -97,7 +97,7 @@ fn tested(model: PeelModel, accuracy: &Accuracy) -> Result<PeelModel, NoTest> {
     if model.friction_law().is_some() {
         return Err(NoTest::Friction);
     }
-    if !model.line_law().has_potential() {
+    if !model.has_potential() {
         return Err(NoTest::NoPotential);
     }
     if model.pull.turn != 0.0 {

@@ -115,7 +115,7 @@ impl NotOutOfPlane {
             (model.adhesion.shear_strength.is_some(), Self::Shear),
             (!model.material().stretch.is_linear(), Self::Stretch),
             (model.has_layers(), Self::Layers),
-            (!model.line_law().has_potential(), Self::NoPotential),
+            (!model.has_potential(), Self::NoPotential),
         ];
         reasons.into_iter().find(|(holds, _)| *holds).map(|(_, reason)| reason)
     }

@@ -129,7 +129,7 @@ fn candidates(model: &PeelModel, relative: f64) -> (Vec<Term>, Vec<(Term, KeptRe
         Some(why) => kept.push((term, why)),
     };
     let law = model.line_law();
-    let driven = if !law.has_potential() {
+    let driven = if !model.has_potential() {
         Some(KeptReason::NotEstimated(NotEstimated::NoPotential))
     } else if model.pull.turn != 0.0 {
         Some(KeptReason::NotEstimated(NotEstimated::Turning))

@@ -104,6 +104,10 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
             "adhesion.work" => adhesion.work = Some(number),
             "adhesion.strength" => adhesion.strength = Some(number),
             "adhesion.shear_strength" => adhesion.shear_strength = Some(number),
+            "adhesion.shear_work" => {
+                adhesion.shear_strength = Some(0.1);
+                adhesion.shear_work = Some(number);
+            }
             "friction.strength" => friction.strength = Some(number),
             "friction.coefficient" => friction.coefficient = number,
             "friction.presliding" => friction.presliding = Some(number),

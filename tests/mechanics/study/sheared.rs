@@ -8,7 +8,8 @@
 //!
 //! The tape is 20 mm by 50 µm by 20 mm, 2 GPa, under an exponential law of 100 J/m² and 1 MPa. Expected, whatever the shear strength, from energy alone:
 //! Kendall's force P (1 - cos α) + P²/(2EA) = w b where it peels steadily, (2 EA w b)^(1/2) where it is pulled along itself, and w b L of work to take
-//! all of it off. A strip that slides peels at another force. The effort is pinned.
+//! all of it off. A strip that slides peels at another force. With a work of slip of its own, w_t, it peels between Kendall's forces of both works, and
+//! fails at (2 EA w_t b)^(1/2) where it is pulled along itself; all that works is summed up, and lies between the works of both. The effort is pinned.
 
 use super::steady_force::at;
 use peelkit::adhesion::{Attraction, CohesiveShape};
@@ -40,6 +41,11 @@ fn tape(shear_strength: f64) -> PeelModel {
     PeelModel::of(Body::Strip(strip), Adhesion { equilibrium_distance, ..law }, Grip::FREE)
 }
 
+fn with_shear_work(model: PeelModel, shear_work: f64) -> PeelModel {
+    let adhesion = Adhesion { shear_work: Some(shear_work), ..model.adhesion };
+    PeelModel { adhesion, ..model }
+}
+
 fn peeled(model: &PeelModel) -> Peel {
     peel(model, &Accuracy::to(1e-6), &StopCriteria::default())
 }
@@ -66,6 +72,13 @@ fn a_lap_joint_fails_at_the_force_of_its_energy() {
     let peak = peeled(&model).initiation_peak.unwrap();
     let expected = (2.0 * axial * WORK * WIDTH).sqrt();
     assert!((peak.force / expected - 1.0).abs() < 1e-9, "{peak:?}, {expected}");
+    // of the work in shear, where it has one
+    for shear_work in [50.0, 300.0] {
+        let tough = with_shear_work(model.clone(), shear_work);
+        let peak = peeled(&tough).initiation_peak.unwrap();
+        let expected = (2.0 * axial * shear_work * WIDTH).sqrt();
+        assert!((peak.force / expected - 1.0).abs() < 1e-7, "{shear_work}: {peak:?}, {expected}");
+    }
     model.adhesion.shear_strength = None;
     assert_eq!(model.check().unwrap_err().key(), "drive.angle");
 }
@@ -79,6 +92,28 @@ fn all_work_goes_into_the_interface() {
         let expected = WORK * WIDTH * LENGTH;
         assert!((work / expected - 1.0).abs() < 1e-5, "{degrees}: {work:e}, {expected:e}");
     }
+}
+
+#[test]
+fn a_tape_that_takes_more_work_in_shear_peels_between_two_forces() {
+    for (degrees, shear_work) in [(45.0, 300.0), (45.0, 50.0), (90.0, 300.0)] {
+        let model = with_shear_work(at(tape(1e-3), degrees), shear_work);
+        assert!(!model.has_potential());
+        let derived = model.derived().section.unwrap();
+        let [one, other] = [derived.kendall_force, derived.kendall_force_in_shear.unwrap()];
+        let found = peeled(&model);
+        assert_eq!(found.end, PathEnd::Detached);
+        let plateau = found.plateau.unwrap().force;
+        let share = (plateau - one) / (other - one);
+        assert!((1e-3..0.2).contains(&share), "{degrees} degrees, {shear_work}: {plateau} between {one} and {other}");
+        // what the plateau takes is what all of the tape takes, but for its ends
+        let angle = degrees.to_radians();
+        let steady = plateau * (1.0 - angle.cos()) + plateau * plateau / (2.0 * model.section().axial);
+        let work = found.points.last().unwrap().work;
+        assert!((work / (steady * LENGTH) - 1.0).abs() < 0.05, "{degrees}, {shear_work}: {work:e}, {steady:e}");
+    }
+    let model = tape(1e-3);
+    assert!(model.has_potential() && with_shear_work(model, WORK).has_potential());
 }
 
 #[test]

@@ -46,10 +46,13 @@ fn with_value(key: &Key, value: &str) -> String {
     let fits = |other: &&Key| fits(other) && if layered { !given(other) } else { other.name != "layers" };
     let fits = |other: &&Key| fits(other) && (other.name != "stretch" || key.name == "stretch");
     // a shear strength is refused beside much else
-    let held = key.name == "shear_strength";
+    let held = ["shear_strength", "shear_work"].contains(&key.name);
     let fits = |other: &&Key| {
         fits(other)
-            && if held { !["pretension", "line_load"].contains(&other.name) } else { other.name != "shear_strength" }
+            && match held {
+                true => !["pretension", "line_load", "turn"].contains(&other.name),
+                false => !["shear_strength", "shear_work"].contains(&other.name),
+            }
     };
     // friction goes with the half space on flat ground alone
     let rubs = key.table == "friction";

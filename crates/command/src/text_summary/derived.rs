@@ -49,6 +49,10 @@ pub fn derived(scene: &Scene, units: &Units) -> Vec<(&'static str, String)> {
     });
     let is_free = held.is_none() && model.friction_law().is_none() && model.angle_to_strip() != FRAC_PI_2;
     lines.extend(held.map(|text| ("shear", text)));
+    let tough = model.adhesion.shear_work.zip(section.kendall_force_in_shear).map(|(work, force)| {
+        format!("slip takes {} J/m²; with that Kendall's force is {}", short(work), units.force.short(force))
+    });
+    lines.extend(tough.map(|text| ("", text)));
     lines.extend(is_free.then(|| ("friction", "none: what is bonded slides along the substrate".to_owned())));
     lines.extend([(
         "strip",

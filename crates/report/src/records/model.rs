@@ -16,6 +16,7 @@ impl Record for DerivedQuantities {
         of.field("work_of_adhesion_of_section_J_per_m2", "w of this section: less what the attraction of the upper surface takes off. Kendall's force and the groups are made of this one", |model| of_section(model, |section| section.work_of_adhesion));
         of.field("kendall_force_nN", "steady force of a film that is bonded without slip, P²/(2 E h b²) + (P/b)(1 - cos φ) = w at the angle φ of the pull to the strip, or that of its strip.stretch", |model| of_section(model, |section| section.kendall_force));
         of.field("sliding_force_nN", "steady force of a film that slides along the substrate without friction, P² sin² φ/(2 E h b²) + (P/b)(1 - cos φ) = w; null in space", |model| model.section.as_ref()?.sliding_force.and_then(finite));
+        of.field("kendall_force_in_shear_nN", "with `adhesion.shear_work`: kendall_force_nN with that work; a long strip peels between the two", |model| model.section.as_ref()?.kendall_force_in_shear.and_then(finite));
         of.field("axial_stiffness_EA_nN", "EA", |model| of_section(model, |section| section.stiffness.axial));
         of.field("shear_stiffness_GAs_nN", "GA_s", |model| of_section(model, |section| section.stiffness.shear));
         of.field("bending_stiffness_EI_nN_nm2", "EI", |model| of_section(model, |section| section.stiffness.bending));

@@ -7,7 +7,7 @@ use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointRespons
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The planar Reissner beam of a strip under a cohesive law with a shear strength, the adhesion bΨ of [`ShearedLaw`]. Fields: x (nm), gap
+/// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
 /// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`].
 #[derive(Clone, Debug)]
 pub struct ShearedBeam {
@@ -34,7 +34,7 @@ fn add<T: Real>(response: &mut PointResponse<T, 3>, adhesion: &ShearedResponse<T
     response.coverage = response.adhesion;
     for f in 0..3 {
         response.by_value[f] = response.by_value[f] + adhesion.gradient[f] * b;
-        response.coverage_by_value[f] = adhesion.gradient[f] * b;
+        response.coverage_by_value[f] = adhesion.energy_change[f] * b;
         for g in 0..3 {
             response.value_value[f][g] = response.value_value[f][g] + adhesion.tangent[f][g] * b;
         }
@@ -52,6 +52,10 @@ impl EnergyDensity<3> for ShearedBeam {
         let mut response = stored(&station, value[2], slopes);
         add(&mut response, &self.adhesion(place, value, station.height), station.width);
         response
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.sheared.has_potential()
     }
 
     fn knots(&self) -> &'static [f64] {

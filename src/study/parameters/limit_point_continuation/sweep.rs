@@ -197,7 +197,6 @@ impl Sweep<'_> {
 
     fn point(&self, index: usize, found: &Found, difference: Difference) -> FollowedPoint {
         let model = (self.model)(self.values[index]);
-        let law = model.line_law();
         let o = &found.observables;
         let place = if self.kind == PointKind::InitiationPeak { ROUND_OFF_PLACE } else { ROUND_OFF };
         let floor = TOLERANCE_FLOOR_FRACTION * self.accuracy.relative;
@@ -205,7 +204,7 @@ impl Sweep<'_> {
             displacement: o.displacement,
             force: o.force,
             end_rotation: o.recorded,
-            work: law.has_potential().then(|| Some(found.energy - energy_at_rest(&model)?)).flatten(),
+            work: model.has_potential().then(|| Some(found.energy - energy_at_rest(&model)?)).flatten(),
             displacement_error: (FOLLOWED_BOUND_FACTOR * difference.displacement + place + floor)
                 * o.displacement.abs(),
             force_error: (FOLLOWED_BOUND_FACTOR * difference.force + ROUND_OFF + floor) * o.force.abs(),

@@ -37,6 +37,7 @@ const SHEARED: Turns = Turns {
     named: &[
         ("law", "", ""),
         ("shear_strength_GPa", "shear strength ", " GPa"),
+        ("shear_work_J_per_m2", "work in shear ", " J/m²"),
         ("grip_rotation", "rotation ", ""),
         ("grip_across", "normal to the pull ", ""),
         ("bending_stiffness_factor", "EI × ", ""),
