@@ -245,7 +245,9 @@ impl ModelErrorKind {
                 "Use a shorter beam: from some fifty process zones on the peak does not depend on the length. Or correct a unit."
             }
             Self::TurnOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove `turn`.",
-            Self::TurnWithoutPotential { .. } => "Use another law or line_load under [adhesion], or remove `turn`.",
+            Self::TurnWithoutPotential { .. } => {
+                "Use another law or line_load under [adhesion] and no `shear_work`, or remove `turn`."
+            }
             Self::StepOfFreeGrip { held: "roll", .. } => "Give `roll = \"fixed\"` under [grip], or remove the step.",
             Self::StepOfFreeGrip { held: "yaw", .. } => "Give `yaw = \"fixed\"` under [grip], or remove the step.",
             Self::StepOfFreeGrip { .. } => "Give `rotation = \"fixed\"` under [grip], or remove the step.",

@@ -21,7 +21,7 @@ pub enum NoTest {
     Friction,
     /// The load has no potential.
     #[error(
-        "the load has no potential (adhesion.line_load = \"force-only\" or law = \"surface-traction\"): the state after a loss of stability, and the energy released, are not defined"
+        "the load has no potential (adhesion.line_load = \"force-only\", law = \"surface-traction\" or adhesion.shear_work): the state after a loss of stability, and the energy released, are not defined"
     )]
     NoPotential,
     /// The grip takes steps before the pull.
@@ -38,7 +38,7 @@ impl NoTest {
         let remedy = match self {
             Self::Model(error) => return error.remedy(),
             Self::Friction => "Omit --observed, or remove the table [friction]",
-            Self::NoPotential => "Omit --observed, or use another line_load or law",
+            Self::NoPotential => "Omit --observed, or use another line_load or law, or no shear_work",
             Self::Steps => "Omit --observed, or remove drive.steps",
             Self::Turn => "Omit --observed, or remove drive.turn",
         };

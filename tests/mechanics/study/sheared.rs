@@ -77,7 +77,9 @@ fn a_lap_joint_fails_at_the_force_of_its_energy() {
         let tough = with_shear_work(model.clone(), shear_work);
         let peak = peeled(&tough).initiation_peak.unwrap();
         let expected = (2.0 * axial * shear_work * WIDTH).sqrt();
-        assert!((peak.force / expected - 1.0).abs() < 1e-7, "{shear_work}: {peak:?}, {expected}");
+        // the load is off the face, so that the end opens by a millionth: towards the force of the other work
+        let off = (peak.force / expected - 1.0) * (WORK - shear_work).signum();
+        assert!((0.0..2e-6).contains(&off), "{shear_work}: {peak:?}, {expected}");
     }
     model.adhesion.shear_strength = None;
     assert_eq!(model.check().unwrap_err().key(), "drive.angle");
