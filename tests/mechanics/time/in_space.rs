@@ -14,9 +14,13 @@ use peelkit::beam::{
 };
 use peelkit::model::{Drive as Driven, MovingBeam, RodModel, Support};
 use peelkit::solve::time::{
-    Drive, DynamicProblem, DynamicSystem, EnergyBalance, Motion, Ramp, StepControl, TimeIntegrator, TimeOptions,
+    Drive, DynamicProblem, DynamicSystem, EnergyBalance, MaterialRate, Motion, Ramp, StepControl, StepTerms,
+    TimeIntegrator, TimeOptions,
 };
-use peelkit::solve::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem, State, System, Workspace};
+use peelkit::solve::{
+    Coefficients, EndConditions, InitialState, MeasuredBeside, NodalTerms, PathMeasure, Problem, State, System,
+    Workspace,
+};
 use std::sync::Arc;
 
 const LENGTH: f64 = 10.0;
@@ -134,5 +138,24 @@ fn a_viscous_tree_of_one_branch_is_the_planar_beam() {
             let [a, b, c] = [100, 200, 400].map(|steps| moved(&problem, at.clone(), steps)[4].0);
             assert_relative_eq!((a - b) / (b - c), 4.0, max_relative = 0.1);
         }
+    }
+}
+
+/// The room of an elimination is used again: what a step in time remembers is none of a statics behind it, bit for bit.
+#[test]
+fn statics_behind_a_step_in_time_know_nothing_of_it() {
+    let viscosity = MATERIALS[1];
+    let (beam, tree) = (in_space(viscosity), as_tree(viscosity, 2));
+    let states = [beam.stress_free(ELEMENTS), tree.stress_free(0)];
+    let systems: [&dyn DynamicSystem; 2] = [&beam, &tree];
+    for (system, at) in systems.into_iter().zip(&states) {
+        let known: Vec<f64> = system.relaxed_memory(at).iter().map(|strain| strain + 0.01).collect();
+        let rate = MaterialRate { per_time: 2.0, known: known.into() };
+        let statics = |ws: &mut Workspace| system.factorise(at, Coefficients::STATIC, [0.0; 2], ws).unwrap();
+        let (mut used, mut fresh) = (Workspace::default(), Workspace::default());
+        let step = system.factorise_step(at, &StepTerms { nodal: NodalTerms::NONE, rate: &rate }, &mut used).unwrap();
+        let [behind, alone] = [statics(&mut used), statics(&mut fresh)];
+        assert_eq!((behind.matrix, behind.residual), (alone.matrix, alone.residual));
+        assert_ne!(step.residual, alone.residual);
     }
 }

@@ -6,7 +6,10 @@ use crate::beam::element::integration::{Element, Integration, Responses};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use crate::number::F64x4;
 use crate::solve::frontal::eliminate::FrontalFactors;
+use crate::solve::frontal::end_block::Carry;
+use crate::solve::frontal::forest::Forest;
 use crate::solve::frontal::nodes::Nodes;
+use std::sync::Arc;
 
 /// Room for four elements.
 pub struct SpatialRoom {
@@ -24,6 +27,12 @@ pub struct SpatialFactors {
 }
 
 impl SpatialFactors {
+    /// Begins an elimination, which knows nothing of what the material remembered in the last one: what joints have of their own, to be filled in.
+    pub(in crate::beam::spatial) fn begin(&mut self, forest: Arc<Forest>) -> &mut [Carry<SPATIAL_UNKNOWNS>] {
+        self.room.bundle = Element::zero();
+        self.frontal.begin(forest)
+    }
+
     /// The direction that solves K q = `scale` R with the interface known: the right end of a chain, the root of a tree.
     pub fn recover(&self, interface: &[f64; SPATIAL_UNKNOWNS], scale: f64, direction: &mut [f64]) {
         self.frontal.recover(interface, scale, direction);

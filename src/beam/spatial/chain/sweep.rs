@@ -56,10 +56,10 @@ impl SpatialChain {
         at: SpatialConfiguration,
         path: &SpatialFunctional,
         added: NodalTerms,
-        SpatialFactors { frontal, room }: &mut SpatialFactors,
+        factors: &mut SpatialFactors,
     ) -> Result<Eliminated<SPATIAL_UNKNOWNS>, SolveError> {
         let (elements, order) = (at.boundaries.len() - 1, self.basis.order);
-        let ends = frontal.begin(Arc::new(Forest::chain(elements, order)));
+        let ends = factors.begin(Arc::new(Forest::chain(elements, order)));
         for (carry, node) in ends.iter_mut().zip([0, elements * order]) {
             for f in 0..SPATIAL_UNKNOWNS {
                 (carry.tangent[f][f], carry.residual[f]) = added.at(node * SPATIAL_UNKNOWNS + f);
@@ -67,6 +67,7 @@ impl SpatialChain {
         }
         ends[0].path = path.left;
         self.load_right(at, &mut ends[1]);
+        let SpatialFactors { frontal, room } = factors;
         let fronts = ChainFronts { chain: self, at, coverage: path.coverage };
         if order == USUAL_ORDER {
             frontal.eliminate::<_, Usual>(&fronts, added, room)

@@ -85,13 +85,14 @@ impl BeamTree {
         at: &State,
         weights: [f64; MONITORS],
         Added { damping, nodal }: Added,
-        SpatialFactors { frontal, room }: &mut SpatialFactors,
+        factors: &mut SpatialFactors,
     ) -> Result<Eliminated<F>, SolveError> {
-        let carries = frontal.begin(self.forest.clone());
+        let carries = factors.begin(self.forest.clone());
         let of_joints = self.load_joints(&at.values, weights, carries);
         if !nodal.stiffness.is_empty() {
             self.load_with_inertia(&at.values, nodal, carries);
         }
+        let SpatialFactors { frontal, room } = factors;
         let fronts = TreeFronts { tree: self, at, damping, adhering: self.weight_of_adhering(weights) };
         // the loops of the orders that are used where none is asked for, of setae and of trees, are compiled for them alone
         let mut found = match self.order() {
