@@ -56,10 +56,13 @@ COLUMNS = ("length_nm", "bending_stiffness_factor", "law", "shear_strength_GPa",
 
 def integral(s, st):
     """What does not change along S: the first integral of w, at nodes and collocation points or, less the work without a potential, at nodes."""
-    c = s.strip
-    if sheared.ratio(c) != 1.0:
+    if sheared.ratio(s.strip) != 1.0:
         return constant_without_potential(s, st)
-    z = np.concatenate([st.zn, st.inner().reshape(-1, 6)])
+    return first(s.strip, np.concatenate([st.zn, st.inner().reshape(-1, 6)]))
+
+
+def first(c, z):
+    """I at z."""
     f = field(c, z, 0.0, jac=False)
     g, th, V, M, _, H = z.T
     N, Q = H * np.cos(th) + V * np.sin(th), V * np.cos(th) - H * np.sin(th)
@@ -70,18 +73,12 @@ def integral(s, st):
 
 def constant_without_potential(s, st):
     """The first integral at the nodes, less the work that slip takes beyond that of a potential."""
-    c = s.strip
-    z, nodes = st.inner(), st.zn
+    c, z = s.strip, st.inner()
     f = field(c, z, 0.0, jac=False)
     k = sheared.ratio(c)
     beyond = (k - 1.0) / k * sheared.excess(c, z)[1][2] * (f[..., 4] + 0.5 * c.height * np.cos(z[..., 1]) * f[..., 1])
     done = c.width * np.append(0.0, np.cumsum(np.diff(st.X) * (beyond @ Rule(st.n).w)))
-    g, th, V, M, _, H = nodes.T
-    N, Q = H * np.cos(th) + V * np.sin(th), V * np.cos(th) - H * np.sin(th)
-    stored = stretched(c, N)[2] + 0.5 * Q ** 2 / c.GA + 0.5 * M ** 2 / c.EI
-    psi = potential(c, g, th)[0] + sheared.excess(c, nodes)[0]
-    slopes = field(c, nodes, 0.0, jac=False)
-    return H * slopes[:, 4] + V * slopes[:, 0] + M * slopes[:, 1] - stored - c.width * psi - done
+    return first(c, st.zn) - done
 
 
 class Held(Walk):

@@ -19,7 +19,7 @@
 //! Sources: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
 //! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure; two works are those of
 //! M. J. van den Bosch, P. J. G. Schreurs, M. G. D. Geers, An improved description of the exponential Xu and Needleman cohesive zone law for
-//! mixed-mode decohesion, Eng. Fract. Mech. 73 (2006), eqs. (28) and (29).
+//! mixed-mode decohesion, Eng. Fract. Mech. 73 (2006).
 
 use super::calibrated::Cohesive;
 use crate::number::Real;

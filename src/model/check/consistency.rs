@@ -84,7 +84,8 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     }
 }
 
-/// That what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the contact moment and without pretension.
+/// That what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the
+/// contact moment and without pretension.
 fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
     if model.adhesion.shear_strength.is_none() {
         let error = |value| {

@@ -19,11 +19,11 @@ pub struct Piece {
     pub is_first: bool,
 }
 
-/// Elements that are integrated and condensed side by side.
+/// Elements that are integrated and condensed side by side, by their numbers or by how a structure names them.
 #[derive(Clone, Copy, Debug)]
-pub struct Bundle {
-    /// Numbers of the elements; behind the last one it is repeated.
-    pub lanes: [usize; BUNDLE],
+pub struct Bundle<E = usize> {
+    /// The elements; behind the last one it is repeated.
+    pub lanes: [E; BUNDLE],
     /// How many there are
     pub count: usize,
 }
@@ -51,9 +51,9 @@ impl Piece {
     }
 }
 
-impl Bundle {
+impl<E: Copy> Bundle<E> {
     /// Of up to four elements; panics where there is none.
-    pub fn of(elements: &[usize]) -> Self {
+    pub fn of(elements: &[E]) -> Self {
         let count = elements.len().min(BUNDLE);
         Self { lanes: std::array::from_fn(|l| elements[l.min(count - 1)]), count }
     }
@@ -70,14 +70,11 @@ impl Forest {
             onto: usize::from(e + 1 == elements),
             is_first: e == 0,
         };
-        let bundle = |first: usize| Bundle {
-            lanes: std::array::from_fn(|l| (first + l).min(elements - 1)),
-            count: BUNDLE.min(elements - first),
-        };
+        let numbers: Vec<usize> = (0..elements).collect();
         Self {
             order,
             pieces: (0..elements).map(piece).collect(),
-            bundles: (0..elements).step_by(BUNDLE).map(bundle).collect(),
+            bundles: numbers.chunks(BUNDLE).map(Bundle::of).collect(),
             joints: 2,
             root: [1, elements * order],
         }

@@ -4,6 +4,7 @@
 //! one another: of a tree whose branches have an element each the others would be idle. Each is eliminated behind those that it carries.
 
 use super::branching_beam::{Branch, TreeError};
+use crate::solve::frontal::forest::Bundle;
 use crate::solve::frontal::nodes::BUNDLE;
 
 /// The branches from the root outwards: each behind the one that leads to it.
@@ -67,21 +68,8 @@ impl Topology {
     }
 }
 
-/// Elements that are integrated side by side: of one section.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TreeBundle {
-    /// Branch, and which of its elements, counted from the far joint; behind the last one it is repeated.
-    pub lanes: [(usize, usize); BUNDLE],
-    /// How many there are
-    pub count: usize,
-}
-
-impl TreeBundle {
-    fn of(lanes: &[(usize, usize)]) -> Self {
-        let count = lanes.len();
-        Self { lanes: std::array::from_fn(|l| lanes[l.min(count - 1)]), count }
-    }
-}
+/// Elements that are integrated side by side, of one section: branch, and which of its elements, counted from the far joint.
+pub(super) type TreeBundle = Bundle<(usize, usize)>;
 
 /// All elements of a tree, those that are carried before those that carry them.
 pub(super) fn schedule(branches: &[Branch], topology: &Topology) -> Vec<TreeBundle> {
