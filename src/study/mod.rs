@@ -74,7 +74,7 @@ pub use peel::along_path::work::Sliding;
 pub use peel::budget::Checkpoint;
 pub use peel::contact::{Adhering, Contact, SMALLEST_RADIUS};
 pub use peel::equilibrium_path::follow::PathPoints;
-pub use peel::result::{Effort, Failure, LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
+pub use peel::result::{Effort, Failure, GivenUp, LargestComputedForce, PathEnd, PathFailure, Peel, Plateau};
 pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak};
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};

@@ -3,7 +3,7 @@
 use super::assembly::{NO_ACCURACY, Whole, differences, force_round_off, report};
 use super::equilibrium_path::path_end::Followed;
 use super::result::PathFailure::{Jumped, Missed, NearUpright, NotLocated, Path, TooManyPoints};
-use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
+use super::result::{Effort, Failure, GivenUp, PathEnd, PathFailure, Peel};
 use super::solution_history::{LimitPoint, PathPoint, SolutionHistory};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
@@ -357,8 +357,8 @@ impl Attempt {
         trouble.or((missed && !bounded).then_some(PathFailure::BoundsMissed { factor: worst }))
     }
 
-    /// The result, as a failure where the path cannot be used; `given_up` says whether more would have been tried, had there been more time.
-    pub(super) fn into_peel(self, given_up: bool) -> Peel {
+    /// The result, as a failure where the path cannot be used; `given_up` says why no more was tried, where more would have been.
+    pub(super) fn into_peel(self, given_up: Option<GivenUp>) -> Peel {
         let (failure, model_end) = (self.failure(), self.model_end());
         let mut peel = self.peel;
         peel.end = model_end.unwrap_or(peel.end);

@@ -5,7 +5,7 @@ use super::assembly::{Whole, empty};
 use super::attempt::{Attempt, Lost};
 use super::budget::{Budget, Checkpoint, Limits};
 use super::equilibrium_path::follow::follow;
-use super::result::{Effort, Failure, PathEnd, PathFailure, Peel};
+use super::result::{Effort, Failure, GivenUp, PathEnd, PathFailure, Peel};
 use super::step_dependence::Common;
 use crate::beam::mesh::{Focus, MeshKind, Reach};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
@@ -16,6 +16,7 @@ use crate::solve::path::options::PathOptions;
 use crate::solve::problem::MeasuredBeside;
 use crate::solve::workspace::Pace;
 use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
+use crate::study::asked::stop_criteria::Stage;
 use crate::study::initial::error::NotPrepared;
 use crate::study::initial::prepared::{Prepared, prepared};
 use std::sync::Arc;
@@ -122,6 +123,7 @@ pub(super) fn on_meshes(
             }
         }
     }
+    let stopped = limits.stop.reached_bound(Stage::Path).map(GivenUp::Stopped);
     let Meshes { mut iterations, mut unfinished, far, mut wholes, budget, .. } = meshes;
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.confirm(&wholes);
@@ -140,7 +142,8 @@ pub(super) fn on_meshes(
         let late = best.peel.integrate_works(limits.should_stop());
         best.trouble = best.trouble.take().or(late);
     }
-    let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(budget.is_spent()));
+    let given_up = stopped.or_else(|| budget.is_spent().then_some(GivenUp::Work));
+    let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(given_up));
     (peel.steps, peel.relaxed_start) = (steps, relaxed);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;

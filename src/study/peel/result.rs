@@ -223,7 +223,7 @@ pub enum Failure {
     #[error(
         "{cause}; on {elements} elements of order {order}. The results so far are kept. Try another accuracy.relative than {asked:e}, or \
          bounds.displacement to stop before{}",
-        if *given_up { ", or bounds.time = \"60 s\": this run was given up after a hundred times the usual work" } else { "" }
+        given_up.as_ref().map_or(String::new(), GivenUp::to_string)
     )]
     Path {
         cause: PathFailure,
@@ -231,12 +231,23 @@ pub enum Failure {
         order: usize,
         /// Relative accuracy asked for.
         asked: f64,
-        /// Whether more would have been tried, had there been more time.
-        given_up: bool,
+        /// Why no more was tried, where more would have been.
+        given_up: Option<GivenUp>,
     },
     /// No mesh was tried.
     #[error("nothing was computed")]
     NothingComputed,
+}
+
+/// What ended the search for a mesh on which a path comes to its end.
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
+pub enum GivenUp {
+    /// [`crate::study::Patience::Usual`]
+    #[error(", or bounds.time = \"60 s\": this run was given up after a hundred times the usual work")]
+    Work,
+    /// What the caller knows: the time, an interruption.
+    #[error(", or more time: {0} ended the search for a better mesh")]
+    Stopped(Bound),
 }
 
 impl Failure {

@@ -18,6 +18,8 @@ use peelkit::adhesion::LineLoad;
 use peelkit::model::{Hold, StripModel};
 use peelkit::solve::LimitPointKind;
 use peelkit::study::{Accuracy, PathEnd, Peel, Stage, StopCriteria, StopReason, peel};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const FREE: StopCriteria = StopCriteria::after_points(5000);
 
@@ -222,4 +224,40 @@ fn plateau_only_where_the_strip_is_long() {
     let peak = long.initiation_peak.expect("1000 nm has a peak");
     assert!(plateau.displacement > peak.displacement && plateau.displacement < snap.displacement);
     assert!(plateau.force < 0.2 * peak.force);
+}
+
+/// A long, thick strip, whose accuracy asks for several meshes: a caller who has no more time behind the first is told that this ended the search for
+/// a better one, where its error bounds are too large.
+#[test]
+fn a_caller_who_stops_the_search_for_a_better_mesh_reads_so() {
+    let mut model = paper_strip(8475.0, 0.0698);
+    model.strip.height = 94.18;
+    model.strip.material.poissons_ratio = 0.032;
+    model.adhesion.line_load = LineLoad::ForceOnly;
+    model.adhesion.hamaker_constant = 0.01782;
+    model.adhesion.equilibrium_distance = 0.2142;
+    model.grip.rotation = Hold::Fixed;
+    let asked = Arc::new(AtomicUsize::new(0));
+    let after = |most: usize| {
+        let asked = asked.clone();
+        asked.store(0, Ordering::Relaxed);
+        FREE.or_when(move |stage| {
+            let over = stage == Stage::Path && asked.fetch_add(1, Ordering::Relaxed) > most;
+            over.then_some(StopReason::Time { seconds: 1.0 })
+        })
+    };
+    let whole = peel(&model, &Accuracy::to(1e-6), &after(usize::MAX));
+    assert!(!matches!(whole.end, PathEnd::Failed(_)), "{:?}", whole.end);
+    let times = asked.load(Ordering::Relaxed);
+    let ends: Vec<String> = [0.5, 0.6, 0.7, 0.8, 0.9]
+        .map(|part| match peel(&model, &Accuracy::to(1e-6), &after((part * times as f64) as usize)).end {
+            PathEnd::Failed(failure) => failure.to_string(),
+            other => format!("{other:?}"),
+        })
+        .into();
+    let told = ends.iter().filter(|end| {
+        end.starts_with("the error bounds are") && end.ends_with("bounds.time = 1 s ended the search for a better mesh")
+    });
+    assert!(told.count() > 0, "{ends:#?}");
+    assert!(ends.iter().all(|end| !end.ends_with("to stop before")), "{ends:#?}");
 }

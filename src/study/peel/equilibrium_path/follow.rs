@@ -71,7 +71,7 @@ pub(in crate::study::peel) fn follow(
     };
     let failed = |trouble: PathFailure| {
         let (elements, order) = (options.elements, problem.beam.order());
-        let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative, given_up: false };
+        let failure = Failure::Path { cause: trouble.clone(), elements, order, asked: relative, given_up: None };
         (PathEnd::Failed(failure), Some(trouble))
     };
     let beyond = stopped.as_ref().err().and_then(|trouble| stopped_by_model(problem, path.points(), trouble));
