@@ -15,9 +15,9 @@ type Refused = (String, String);
 #[pyfunction]
 pub fn sensitivities(py: Python, peel: &NativePeel) -> PyResult<(Vec<Line>, Vec<Refused>)> {
     let scene = &peel.source().scene;
-    if scene.model.friction_law().is_some() {
-        let found = format!("there are no sensitivities: {}", NoSensitivities::Friction);
-        return Err(refused(py, found, "Remove the table `friction` from the scene."));
+    if let Some(why) = NoSensitivities::of(&scene.model) {
+        let remedy = why.key().map_or_else(String::new, |key| format!("Remove `{key}` from the scene."));
+        return Err(refused(py, format!("there are no sensitivities: {why}"), &remedy));
     }
     if scene.accuracy.terms == Terms::Auto {
         let found = "sensitivities are those of a model with all of its terms, and the scene has terms = \"auto\"";

@@ -29,7 +29,7 @@ pub use section::law::{Attraction, Law};
 pub use section::line_load::{LineLaw, LineLoad, RateLaw};
 pub use section::own::{OwnLaw, SectionLaw, TiltedSection};
 pub use section::response::LineResponse;
-pub use section::sheared::{ShearedLaw, ShearedResponse};
+pub use section::sheared::{Farthest, ShearedLaw, ShearedResponse};
 pub use spatial_section::error::SpatialSectionError;
 pub use spatial_section::response::SpatialSectionResponse;
 pub use spatial_section::section::{SectionShape, SpatialSection};

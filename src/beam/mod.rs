@@ -28,7 +28,9 @@ pub use planar::density::reissner::{ReissnerBeam, ReissnerRod};
 pub use planar::density::viscous::{ElasticSections, Viscous};
 pub use planar::model_end::CollapsedSection;
 pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
-pub use planar::planar_beam::{BeamInertia, FRONT, FrictionHistory, FrontPosition, PlanarBeam, TIP_ROTATION};
+pub use planar::planar_beam::{
+    BeamInertia, FRONT, FaceMemory, FrictionHistory, FrontPosition, PlanarBeam, TIP_ROTATION,
+};
 pub use planar::uniform_chain::elements::UniformChain;
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};

@@ -38,10 +38,19 @@ pub struct Adhesion {
     /// Work that slip along the ground takes, J/m², beside a shear strength; none: that of opening
     #[serde(default)]
     pub shear_work: Option<f64>,
+    /// Whether a face that has opened or slipped and comes back is held as before. A cohesive law that does not heal unloads to where it was
+    /// closed, and what it has taken stays spent.
+    #[serde(default = "heals")]
+    pub healing: bool,
     /// Whether the contact moment acts beside the line force
     pub line_load: LineLoad,
     /// Whether the attraction of the upper surface is included (the r2 terms).
     pub far_face: bool,
+}
+
+/// What lets go heals, unless it is said that it does not.
+const fn heals() -> bool {
+    true
 }
 
 impl Default for Adhesion {
@@ -62,6 +71,7 @@ impl Adhesion {
             strength: None,
             shear_strength: None,
             shear_work: None,
+            healing: true,
             line_load: LineLoad::Full,
             far_face: true,
         }
@@ -81,6 +91,17 @@ impl Adhesion {
             (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength, self.shear_work)),
             _ => None,
         }
+    }
+
+    /// The law by which a face does not heal, with what holds along the ground, if it does not; of a law that is cohesive.
+    pub fn unhealed_law(&self) -> Option<ShearedLaw> {
+        if self.healing {
+            return None;
+        }
+        self.sheared_law().or_else(|| match self.attraction.law(&self.half_space(), self.work, self.strength) {
+            Law::Cohesive(cohesive) => Some(ShearedLaw::sliding(cohesive)),
+            Law::BodyForce | Law::SurfaceTraction | Law::Own(_) => None,
+        })
     }
 
     /// Whether the Hamaker constant changes nothing: under a cohesive law with a work of adhesion and a strength of its own.
@@ -245,11 +266,12 @@ impl PeelModel {
             || self.adhesion.shear_strength.is_some()
     }
 
-    /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely, where its
-    /// stretch is not linear, and in space with x.
+    /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely or does not heal,
+    /// where its stretch is not linear, and in space with x.
     pub fn form(&self, asked: Form) -> Form {
         let flat = self.ground.substrate.is_flat() && self.space.is_none();
-        let reducible = flat && self.tangential_stiffness().is_none() && self.material().stretch.is_linear();
+        let free = self.tangential_stiffness().is_none() && self.adhesion.healing;
+        let reducible = flat && free && self.material().stretch.is_linear();
         if reducible { asked } else { Form::ThreeField }
     }
 
@@ -283,6 +305,12 @@ impl PeelModel {
     /// The least length over which what happens at the front changes, nm.
     pub(crate) fn feature_length(&self) -> f64 {
         self.sticking_length().unwrap_or(f64::INFINITY).min(self.process_length())
+    }
+
+    /// The same of how far a face has opened and slipped.
+    pub(crate) fn opening_length(&self) -> f64 {
+        let lag = self.shear_lag_length().filter(|_| self.adhesion.shear_strength.is_some());
+        lag.unwrap_or(f64::INFINITY).min(self.process_length())
     }
 
     /// Its geometry and material.

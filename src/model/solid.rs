@@ -232,6 +232,7 @@ fn what_a_solid_has(model: &PeelModel) -> Result<(), SolidError> {
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.line_load != LineLoad::Full, "adhesion.line_load", "has no line load"),
         (model.adhesion.shear_strength.is_some(), "adhesion.shear_strength", "slides freely along the ground"),
+        (!model.adhesion.healing, "adhesion.healing", "adheres again where it comes back"),
         (!model.ground.substrate.is_flat(), "substrate.shape", "lies on flat ground"),
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),

@@ -35,6 +35,6 @@ pub use relax::{
     Held, RelaxError, RelaxOptions, Relaxation, Relaxed, disturbed, disturbed_anyhow, relax, relax_until,
     relaxed_on_more_elements,
 };
-pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, State};
+pub use state::{History, MEMORIES, MONITORS, Mesh, Observables, PathConstraint, State};
 pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
 pub use workspace::{Pace, ShouldStop, Workspace};

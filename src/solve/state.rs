@@ -34,25 +34,27 @@ pub struct State {
     pub history: Option<Arc<History>>,
 }
 
-/// What material points remember: three numbers at each place of a grid that no mesh moves. Between its places they are
+/// What material points remember: [`MEMORIES`] numbers at each place of a grid that no mesh moves. Between its places they are
 /// interpolated by cubics. What the numbers are, their system says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct History {
     /// From one place to the next, nm
     pub spacing: f64,
     /// Place by place
-    pub rows: Vec<[f64; 3]>,
+    pub rows: Vec<[f64; MEMORIES]>,
     /// Energy dissipated since the beginning, aJ
     pub dissipated: f64,
 }
 
+/// How many numbers a material point may remember.
+pub const MEMORIES: usize = 4;
 /// Fewest and most steps from place to place.
 const FEWEST: usize = 16;
 const MOST: usize = 100_000;
 
 impl History {
     /// Of a body of this length (nm), with about `spacing` (nm) from one place to the next; `at` gives the numbers at S.
-    pub fn new(length: f64, spacing: f64, at: impl Fn(f64) -> [f64; 3]) -> Self {
+    pub fn new(length: f64, spacing: f64, at: impl Fn(f64) -> [f64; MEMORIES]) -> Self {
         let steps = ((length / spacing).ceil() as usize).clamp(FEWEST, MOST);
         let spacing = length / steps as f64;
         Self { spacing, rows: (0..=steps).map(|k| at(k as f64 * spacing)).collect(), dissipated: 0.0 }
@@ -73,21 +75,21 @@ impl History {
     }
 
     /// S of each place (nm), with its numbers.
-    pub fn iter(&self) -> impl Iterator<Item = (f64, [f64; 3])> + '_ {
+    pub fn iter(&self) -> impl Iterator<Item = (f64, [f64; MEMORIES])> + '_ {
         self.rows.iter().enumerate().map(|(k, &row)| (k as f64 * self.spacing, row))
     }
 
-    /// Behind a step: `update` gives, for S and its numbers, those of now and what was dissipated there, nN per length.
-    pub fn updated(&self, mut update: impl FnMut(f64, [f64; 3]) -> ([f64; 3], f64)) -> Self {
-        let mut next = self.clone();
+    /// Behind a step: `update` gives, for S and its numbers, those of now and an energy per length, nN; the integral of this along the body, aJ.
+    pub fn updated(&self, mut update: impl FnMut(f64, [f64; MEMORIES]) -> ([f64; MEMORIES], f64)) -> (Self, f64) {
+        let (mut next, mut energy) = (self.clone(), 0.0);
         let last = self.rows.len() - 1;
         for (k, row) in next.rows.iter_mut().enumerate() {
             let share = if k == 0 || k == last { 0.5 } else { 1.0 };
-            let lost;
-            (*row, lost) = update(k as f64 * self.spacing, *row);
-            next.dissipated += share * self.spacing * lost;
+            let density;
+            (*row, density) = update(k as f64 * self.spacing, *row);
+            energy += share * self.spacing * density;
         }
-        next
+        (next, energy)
     }
 }
 

@@ -281,6 +281,13 @@ pub trait System: Send + Sync {
         None
     }
 
+    /// What the material points remember before a step that ended in a state where that is not what the step was taken with: the path has a corner
+    /// there, as where a face that does not heal begins to close, and the step is to be taken again with this.
+    fn corner_before(&self, at: &State) -> Option<Arc<History>> {
+        let _ = at;
+        None
+    }
+
     /// What the material points remember behind a step that ended in a state.
     fn commit(&self, at: &State) -> Option<Arc<History>> {
         let _ = at;

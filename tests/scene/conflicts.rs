@@ -91,6 +91,23 @@ fn a_cohesive_law_with_work_and_strength_needs_no_distance() {
 }
 
 #[test]
+fn what_does_not_heal_is_a_strip_under_a_cohesive_law() {
+    let law = format!("{MINIMAL}law = \"bilinear\"\n");
+    let unhealed = set("adhesion.healing", "false");
+    let scene = Scene::parse("a.toml", &law, &unhealed).unwrap();
+    assert!(!scene.model.adhesion.healing && Scene::parse("a.toml", &law, &[]).unwrap().model.adhesion.healing);
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    for (text, what) in [
+        (MINIMAL.to_owned(), "a law of adhesion that is not cohesive"),
+        (format!("{law}line_load = \"axis-gap\"\n"), "a `line_load` that is not"),
+        (format!("{law}[substrate]\nshape = \"sphere\"\nradius = \"1 um\"\n"), "ground that is not flat"),
+        (format!("{law}[time]\nrate = \"1 mm/s\"\ndensity = \"1000 kg/m3\"\n"), "an adhesion that does not heal"),
+    ] {
+        assert_says(&shown(&text, &unhealed), &[what]);
+    }
+}
+
+#[test]
 fn a_shear_strength_is_that_of_a_strip_under_a_cohesive_law() {
     let law = format!("{MINIMAL}law = \"exponential\"\n");
     let held = set("adhesion.shear_strength", "20 MPa");

@@ -126,7 +126,7 @@ fn assert_remarks_show_defaults(name: &str) {
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
     let of_a_strip = |key: &Key| {
-        !["pretension", "shear_strength", "shear_work"].contains(&key.name) || plain.model.strip().is_some()
+        !["pretension", "shear_strength", "shear_work", "healing"].contains(&key.name) || plain.model.strip().is_some()
     };
     let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
     for key in KEYS.iter().filter(shown) {

@@ -211,6 +211,12 @@ fn parameters(scene: &Scene) -> Result<Vec<FitParameter>, Refusal> {
             "Remove the table [friction] from the scene.",
         ));
     }
+    if !scene.model.adhesion.healing {
+        return Err(Refusal::asked(
+            "a curve of an adhesion that does not heal is not fitted: what it does depends on its past, and has no derivative",
+            "Remove `adhesion.healing` from the scene: as long as nothing that has opened closes again, the curve is the same.",
+        ));
+    }
     if scene.accuracy.terms == Terms::Auto {
         return Err(Refusal::asked(
             "a fit takes the model with all of its terms, and the scene has terms = \"auto\"",

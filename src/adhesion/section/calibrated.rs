@@ -109,6 +109,19 @@ impl Cohesive {
         [-self.strength * self.range * work, -self.strength * s, self.strength * per_range * slope]
     }
 
+    /// The same of what attracts a face that has been as far away as `farthest`, nm. Nearer than that its traction falls in a straight line to
+    /// nothing where it is closed, T = T(r_max) (r - r_eq)/(r_max - r_eq), and W_c is what is left to be won: what the way out has taken stays spent.
+    fn pull_after(&self, farthest: f64, r: f64) -> [f64; 3] {
+        if r >= farthest || farthest <= self.closed {
+            return self.levels_of(Part::Pull, r);
+        }
+        let [energy, traction, _] = self.levels_of(Part::Pull, farthest);
+        let (reach, opening) = (farthest - self.closed, (r - self.closed).max(0.0));
+        let stiffness = -traction / reach;
+        let spent = energy + 0.5 * traction * reach;
+        [spent + 0.5 * stiffness * opening * opening, -stiffness * opening, if opening > 0.0 { stiffness } else { 0.0 }]
+    }
+
     /// The load on a section whose face is at the distance `gap` where it is not tilted.
     #[inline(never)]
     pub(in crate::adhesion::section) fn on_face<T: Real>(&self, height: T, gap: T, sin: T, cos: T) -> LineResponse<T> {
@@ -125,24 +138,24 @@ impl Cohesive {
         })
     }
 
-    /// What attracts a section and what repels it, which together are the load of [`Self::on_face`].
+    /// What attracts a section whose bonded face has been as far away as `farthest` (nm; zero: nowhere yet), and what repels it. A face that is as
+    /// far away as ever has the load of [`Self::on_face`] of both together.
     pub(in crate::adhesion::section) fn pull_and_push<T: Real>(
         &self,
         height: T,
         gap: T,
-        sin: T,
-        cos: T,
+        [sin, cos]: [T; 2],
+        farthest: T,
     ) -> (LineResponse<T>, LineResponse<T>) {
-        let of = [height, gap, sin, cos];
-        let bonded = |part, [height, gap, sin, cos]: [f64; 4]| {
-            LineResponse::of_bonded_face(|r| self.levels_of(part, r), height, gap, sin, cos)
-        };
-        let pull = LineResponse::each_of(of, |of| bonded(Part::Pull, of));
-        let push = LineResponse::each_of(of, |of @ [height, gap, sin, cos]| {
+        let pull = LineResponse::each_of([height, gap, sin, cos, farthest], |[height, gap, sin, cos, farthest]| {
+            LineResponse::of_bonded_face(|r| self.pull_after(farthest, r), height, gap, sin, cos)
+        });
+        let push = LineResponse::each_of([height, gap, sin, cos], |[height, gap, sin, cos]| {
+            let levels = |r| self.levels_of(Part::Push, r);
             if cos > 0.0 {
-                return bonded(Part::Push, of);
+                return LineResponse::of_bonded_face(levels, height, gap, sin, cos);
             }
-            LineResponse::of_face(|r| self.levels_of(Part::Push, r), height, gap, sin, cos)
+            LineResponse::of_face(levels, height, gap, sin, cos)
         });
         (pull, push)
     }

@@ -16,6 +16,11 @@
 //! and both A and B fall from one to zero, or one of them does: so G_n/w + G_t/w_t = 1, the linear criterion of mixed modes, whatever the way. Unless
 //! the works are equal there is no potential, and the tangent is not symmetric.
 //!
+//! Where a face that lets go does not heal, both A and B remember how far it has been open and has slipped at most. Nearer than that they are
+//! parabolas, whose tractions fall in straight lines to nothing where the face is closed and has not slipped:
+//!
+//!   A(r) = A(r_max) - ½ A'(r_max) (r_max - r_eq) (1 - (r - r_eq)²/(r_max - r_eq)²),   B(t) = B(t_max) (1 + (t_max² - t²)/δ_t²).
+//!
 //! Sources: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
 //! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure; two works are those of
 //! M. J. van den Bosch, P. J. G. Schreurs, M. G. D. Geers, An improved description of the exponential Xu and Needleman cohesive zone law for
@@ -54,7 +59,26 @@ pub struct ShearedResponse<T> {
     pub tangent: [[T; 3]; 3],
 }
 
+/// How far a face has been at most, where what lets go does not heal; zero where it has not been anywhere.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Farthest<T> {
+    /// Distance of the bonded face from the ground, nm
+    pub distance: T,
+    /// Slip along the ground, either way, nm
+    pub slip: T,
+}
+
 impl ShearedLaw {
+    /// That of a face that slides freely.
+    pub fn sliding(cohesive: Cohesive) -> Self {
+        Self { cohesive, slip_scale: f64::INFINITY, work_ratio: 1.0 }
+    }
+
+    /// Whether nothing holds it along the ground.
+    pub fn is_sliding(&self) -> bool {
+        self.slip_scale == f64::INFINITY
+    }
+
     /// With this shear strength, nN/nm², and work in shear, nN/nm; none: that of opening.
     pub fn new(cohesive: Cohesive, shear_strength: f64, shear_work: Option<f64>) -> Self {
         let work = cohesive.work();
@@ -87,17 +111,26 @@ impl ShearedLaw {
 
     /// The response of a section of this height (nm) whose axis has slipped by `slip` and lies h/2 above the `gap` (nm), with the rotation θ given as
     /// its sine and cosine.
+    pub fn response<T: Real>(&self, height: T, place: [T; 2], rotation: [T; 2]) -> ShearedResponse<T> {
+        let zero = T::splat(0.0);
+        self.response_after(height, place, rotation, Farthest { distance: zero, slip: zero })
+    }
+
+    /// The same of a face that has been so far away, and has slipped so far.
     #[inline(never)]
-    pub fn response<T: Real>(&self, height: T, [slip, gap]: [T; 2], [sin, cos]: [T; 2]) -> ShearedResponse<T> {
-        let (pull, push) = self.cohesive.pull_and_push(height, gap, sin, cos);
+    pub fn response_after<T: Real>(
+        &self,
+        height: T,
+        [slip, gap]: [T; 2],
+        [sin, cos]: [T; 2],
+        farthest: Farthest<T>,
+    ) -> ShearedResponse<T> {
+        let (pull, push) = self.cohesive.pull_and_push(height, gap, [sin, cos], farthest.distance);
         let half = height * 0.5;
         let (lever, arm) = (half * cos, half * sin);
         let t = slip + arm;
-        let curved = 2.0 / self.slip_scale.powi(2);
-        let [hold] = t.each(|t| [(-0.5 * curved * t * t).exp()]);
-        // B' and B''
-        let slope = -(t * hold * curved);
-        let bend = (t * t * curved - 1.0) * hold * curved;
+        // B, B' and B''
+        let [hold, slope, bend] = t.each_pair(farthest.slip, |t, most| self.hold(t, most));
         // the shear traction and its changes; how the normal one changes with the slip has no factor
         let by_slip = pull.energy * slope;
         let along = by_slip * self.work_ratio;
@@ -119,6 +152,28 @@ impl ShearedLaw {
                 [turn_along + along_along * lever, gap_rotation(along_gap), rotation_rotation],
             ],
         }
+    }
+}
+
+impl ShearedLaw {
+    /// B at a slip (nm) and its two derivatives, of a face that has slipped so far at most.
+    #[inline(always)]
+    fn hold(&self, t: f64, most: f64) -> [f64; 3] {
+        let curved = 2.0 / self.slip_scale.powi(2);
+        if t.abs() >= most {
+            let hold = (-0.5 * curved * t * t).exp();
+            return [hold, -(t * hold * curved), (t * t * curved - 1.0) * hold * curved];
+        }
+        let left = (-0.5 * curved * most * most).exp();
+        [left * (1.0 + 0.5 * curved * (most * most - t * t)), -(t * left * curved), -(left * curved)]
+    }
+
+    /// What a section like that of [`Self::response_after`] has been at most, together with what it was before.
+    pub fn farthest(&self, height: f64, [slip, gap]: [f64; 2], rotation: f64, before: Farthest<f64>) -> Farthest<f64> {
+        let (sin, cos) = rotation.sin_cos();
+        let (distance, slip) = (gap + 0.5 * height * (1.0 - cos), slip + 0.5 * height * sin);
+        let slip = if self.is_sliding() { 0.0 } else { slip.abs() };
+        Farthest { distance: before.distance.max(distance), slip: before.slip.max(slip) }
     }
 }
 
@@ -214,6 +269,89 @@ mod tests {
         assert_relative_eq!(energy(9.0 * law.slip_scale) - energy(0.0), PAPER.work_of_adhesion(), max_relative = 1e-13);
         let stiffness = at(&law, [0.0, law.cohesive.closed, 0.0]).tangent[0][0];
         assert_relative_eq!(stiffness, law.stiffness(), max_relative = 1e-13);
+    }
+
+    /// Of a face that has been farther: sixth order differences, tractions that go on where it is as far away as ever, and fall in straight lines
+    /// to nothing where it is closed.
+    #[test]
+    fn what_has_let_go_unloads_to_where_it_was_closed() {
+        let laws = CohesiveShape::ALL.iter().flat_map(|&shape| [law(shape), tough(shape)]);
+        for law in laws {
+            let (closed, range, far) = (law.cohesive.closed, law.cohesive.range, 0.6);
+            let before = Farthest { distance: closed + far * range, slip: 0.8 * law.slip_scale };
+            let at = |[slip, opening]: [f64; 2]| {
+                law.response_after(HEIGHT, [slip * law.slip_scale, closed + opening * range], [0.0, 1.0], before)
+            };
+            let there = at([0.8, far]);
+            let virgin = law.response(HEIGHT, [before.slip, before.distance], [0.0, 1.0]);
+            assert_eq!(there, virgin);
+            let just_before = at([0.8 - 1e-9, far - 1e-9]);
+            for f in 0..3 {
+                assert_relative_eq!(
+                    just_before.gradient[f],
+                    virgin.gradient[f],
+                    epsilon = 1e-7 * law.cohesive.strength
+                );
+            }
+            assert_relative_eq!(just_before.energy, virgin.energy, max_relative = 1e-7);
+            // at the slip that it has had, half of the opening carries half of the traction
+            assert_relative_eq!(at([0.8, 0.3]).gradient[1], 0.5 * virgin.gradient[1], max_relative = 1e-12);
+            assert_eq!(at([0.8, 0.0]).gradient[1], 0.0);
+            let [one, two] = [0.2, 0.4].map(|slip| at([slip, far]).gradient[0]);
+            assert_relative_eq!(two, 2.0 * one, max_relative = 1e-12);
+            for (slip, opening, rotation) in [(0.3, 0.4, 0.1), (-0.5, 0.1, -0.2), (0.2, 0.7, 0.0), (1.2, 0.3, 0.05)] {
+                let lift = 0.5 * HEIGHT * (1.0 - f64::cos(rotation));
+                let scales = [law.slip_scale, range, 0.1];
+                let place =
+                    [slip * scales[0] - 0.5 * HEIGHT * f64::sin(rotation), closed + opening * range - lift, rotation];
+                let response = |[slip, gap, rotation]: [f64; 3]| {
+                    let (sin, cos) = rotation.sin_cos();
+                    law.response_after(HEIGHT, [slip, gap], [sin, cos], before)
+                };
+                let here = response(place);
+                for f in 0..3 {
+                    let step = 1e-3 * scales[f];
+                    let moved =
+                        |k: f64| response(std::array::from_fn(|g| place[g] + if g == f { k * step } else { 0.0 }));
+                    let slope = |of: &dyn Fn(&ShearedResponse<f64>) -> f64| {
+                        let pair = |k: f64| of(&moved(k)) - of(&moved(-k));
+                        (45.0 * pair(1.0) - 9.0 * pair(2.0) + pair(3.0)) / (60.0 * step)
+                    };
+                    let size = law.cohesive.work() / scales[f];
+                    assert_relative_eq!(slope(&|at| at.energy), here.energy_change[f], epsilon = 1e-8 * size);
+                    for g in 0..3 {
+                        let found = slope(&|at| at.gradient[g]);
+                        assert_relative_eq!(
+                            found,
+                            here.tangent[g][f],
+                            epsilon = 1e-7 * size / scales[g],
+                            max_relative = 1e-7
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    /// A face that goes out and back again, in one mode or in both, gives back no more than it took, and what it has taken is the work that is spent.
+    #[test]
+    fn a_way_out_and_back_takes_work() {
+        let law = law(CohesiveShape::Bilinear);
+        let (closed, range, steps) = (law.cohesive.closed, law.cohesive.range, 4000);
+        for [slip, opening] in [[0.0, 0.5], [0.7, 0.0], [0.6, 0.3], [3.0, 2.0]] {
+            let (mut before, mut work) = (Farthest::default(), 0.0);
+            let place = |s: f64| [s * slip * law.slip_scale, closed + s * opening * range];
+            for k in 0..2 * steps {
+                let part = |k: f64| 1.0 - (k / f64::from(steps) - 1.0).abs();
+                let [from, middle, to] = [0.0, 0.5, 1.0].map(|half| place(part(f64::from(k) + half)));
+                let load = law.response_after(HEIGHT, middle, [0.0, 1.0], before).gradient;
+                before = law.farthest(HEIGHT, to, 0.0, before);
+                work += load[0] * (to[0] - from[0]) + load[1] * (to[1] - from[1]);
+            }
+            let spent = law.response_after(HEIGHT, place(0.0), [0.0, 1.0], before).energy + law.cohesive.work();
+            assert_relative_eq!(work, spent, epsilon = 1e-5 * law.cohesive.work());
+            assert!(spent > 0.01 * law.cohesive.work() && spent <= law.cohesive.work() * (1.0 + 1e-12), "{spent}");
+        }
     }
 
     /// Along straight and bent ways from a closed face to one that has let go: the works of both modes, summed up, meet the linear criterion.

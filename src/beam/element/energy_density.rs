@@ -1,8 +1,8 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
-use crate::adhesion::friction::dahl::FrictionState;
 use crate::adhesion::section::response::LineResponse;
 use crate::number::Real;
+use crate::solve::state::MEMORIES;
 
 /// Numbers that a density may remember at a point.
 pub const MEMORY: usize = 7;
@@ -17,7 +17,7 @@ pub struct Point<T, const F: usize> {
     /// Their derivatives with respect to S.
     pub slope: [T; F],
     /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
-    /// step. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness; in the
+    /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness; in the
     /// plane also the distance from which the face opens, nm, and c of the step, 1/time.
     pub memory: [T; MEMORY],
 }
@@ -167,14 +167,14 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
         &[]
     }
 
-    /// The opening that [`Self::knots`] speaks of, in ranges of the law.
-    fn opening(&self, _place: f64, _value: [f64; F]) -> f64 {
+    /// The opening that [`Self::knots`] speaks of, in ranges of the law, with what is remembered there.
+    fn opening(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY]) -> f64 {
         0.0
     }
 
     /// What the adhesion of a law that has knots gives to a response with these fields: all of it depends on the fields
-    /// alone.
-    fn adhesion_response(&self, _place: f64, _value: [f64; F]) -> PointResponse<f64, F> {
+    /// and on what is remembered alone.
+    fn adhesion_response(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY]) -> PointResponse<f64, F> {
         PointResponse::zero()
     }
 
@@ -184,14 +184,15 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// The density and its derivatives, at one point or at several side by side.
     fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], axial_multiplier: f64) -> PointResponse<T, F>;
 
-    /// Whether something may take part that remembers what was before the step: friction, or a viscous material.
+    /// Whether something may take part that remembers what was before the step: friction, a face that does not heal, or a viscous material.
     const HAS_HISTORY: bool = false;
 
     /// Adds that to a response at the same point.
     fn add_remembered<T: Real>(&self, _point: &Point<T, F>, _response: &mut PointResponse<T, F>) {}
 
-    /// What a material point remembers behind a step that ended with these fields, and what was dissipated there, nN per length.
-    fn remembered(&self, _place: f64, _value: [f64; F], before: FrictionState) -> (FrictionState, f64) {
+    /// What a material point remembers behind a step that ended with these fields, and an energy per length (nN): with friction what was dissipated
+    /// there, of a face that does not heal what it would win if it did.
+    fn remembered(&self, _place: f64, _value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
         (before, 0.0)
     }
 

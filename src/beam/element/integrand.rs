@@ -3,9 +3,9 @@
 //! What an element asks of its density does not depend on its order: so each density is compiled once, and the elements of
 //! each order once for all densities.
 
-use super::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
-use crate::adhesion::friction::dahl::FrictionState;
+use super::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::number::{F64x4, Real};
+use crate::solve::state::MEMORIES;
 
 /// The energies at a point, per length.
 #[derive(Clone, Copy, Debug)]
@@ -63,11 +63,11 @@ pub trait Integrand<const F: usize>: Send + Sync {
         &[]
     }
     /// [`EnergyDensity::opening`]
-    fn opening(&self, _place: f64, _value: [f64; F]) -> f64 {
+    fn opening(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY]) -> f64 {
         0.0
     }
     /// [`EnergyDensity::adhesion_response`]
-    fn adhesion_response(&self, _place: f64, _value: [f64; F]) -> PointResponse<f64, F> {
+    fn adhesion_response(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY]) -> PointResponse<f64, F> {
         PointResponse::zero()
     }
 }
@@ -76,10 +76,10 @@ pub trait Integrand<const F: usize>: Send + Sync {
 pub trait PlanarIntegrand<const F: usize>: Integrand<F> {
     /// [`EnergyDensity::HAS_HISTORY`]
     fn remembers(&self) -> bool;
-    /// Adhesion energy per length with these fields, nN
-    fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64;
+    /// Adhesion energy per length, nN, with these fields and what is remembered
+    fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64;
     /// [`EnergyDensity::remembered`]
-    fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64);
+    fn remembered(&self, place: f64, value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64);
     /// [`EnergyDensity::section_state`]
     fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState;
     /// [`EnergyDensity::section_state_from_forces`]
@@ -137,12 +137,12 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         EnergyDensity::knots(self)
     }
 
-    fn opening(&self, place: f64, value: [f64; F]) -> f64 {
-        EnergyDensity::opening(self, place, value)
+    fn opening(&self, place: f64, value: [f64; F], memory: [f64; MEMORY]) -> f64 {
+        EnergyDensity::opening(self, place, value, memory)
     }
 
-    fn adhesion_response(&self, place: f64, value: [f64; F]) -> PointResponse<f64, F> {
-        EnergyDensity::adhesion_response(self, place, value)
+    fn adhesion_response(&self, place: f64, value: [f64; F], memory: [f64; MEMORY]) -> PointResponse<f64, F> {
+        EnergyDensity::adhesion_response(self, place, value, memory)
     }
 }
 
@@ -151,11 +151,11 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
         D::HAS_HISTORY
     }
 
-    fn adhesion_at(&self, place: f64, value: [f64; F], axial_multiplier: f64) -> f64 {
-        self.response(place, value, [0.0; F], axial_multiplier).adhesion
+    fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64 {
+        response(self, &Point { place, value, slope: [0.0; F], memory }, axial_multiplier).adhesion
     }
 
-    fn remembered(&self, place: f64, value: [f64; F], before: FrictionState) -> (FrictionState, f64) {
+    fn remembered(&self, place: f64, value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
         EnergyDensity::remembered(self, place, value, before)
     }
 

@@ -6,6 +6,7 @@ use super::integrand::Integrand;
 use crate::number::{F64x4, Real};
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
+use crate::solve::state::History;
 use serde::{Deserialize, Serialize};
 
 /// Energy of one element, nN·nm.
@@ -44,6 +45,14 @@ pub struct Integration<'a, N: Nodes, const F: usize> {
     pub coupling: Coupling<F>,
     /// Whether its second derivatives are symmetric.
     pub symmetric: bool,
+    /// What its material points remember from step to step.
+    pub history: Option<&'a History>,
+}
+
+/// [`Point::memory`] at S of what is remembered from step to step.
+pub(in crate::beam) fn memory_of(history: Option<&History>, place: f64) -> [f64; MEMORY] {
+    let [a, b] = history.map_or([0.0; 2], |known| known.at(place));
+    [a, b, 0.0, 0.0, 0.0, 0.0, 0.0]
 }
 
 impl<T: Real, const F: usize> Element<T, F> {

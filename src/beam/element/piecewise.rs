@@ -13,9 +13,8 @@
 //! ε makes an error of
 //! order ε⁵.
 
-use super::basis::{Basis, PerNode};
-use super::integrand::Integrand;
-use super::integration::{Element, Integration, PiecePoint};
+use super::basis::PerNode;
+use super::integration::{Element, Integration, PiecePoint, memory_of};
 use crate::number::F64x4;
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{MOST_NODES, Nodes, slot};
@@ -59,18 +58,18 @@ impl<const F: usize> Element<f64, F> {
     /// passed.
     #[inline(never)]
     pub fn piecewise<N: Nodes>(&self, by: &Integration<N, F>, mut add: impl FnMut(&PiecePoint<F>)) {
-        let &Integration { nodes, basis, density, .. } = by;
+        let &Integration { nodes, basis, density, history, .. } = by;
         let knots = density.knots();
         if knots.is_empty() {
             return;
         }
-        let mut cuts = self.cuts(nodes, basis, density, knots);
+        let mut cuts = self.cuts(by, knots);
         if cuts.count == 1 {
             return;
         }
         let mut at = |local: f64, share: f64, shape: &PerNode| {
             let place = self.from + 0.5 * (1.0 + local) * self.length;
-            let response = density.adhesion_response(place, self.fields(nodes, shape));
+            let response = density.adhesion_response(place, self.fields(nodes, shape), memory_of(history, place));
             add(&PiecePoint { response, shape: *shape, weight: 0.5 * self.length * share });
         };
         for q in 0..nodes.count() - 1 {
@@ -86,11 +85,14 @@ impl<const F: usize> Element<f64, F> {
     }
 
     /// Where the opening passes a knot, looked for between neighbouring nodes.
-    fn cuts(&self, nodes: impl Nodes, basis: &Basis, density: &dyn Integrand<F>, knots: &[f64]) -> Cuts {
+    fn cuts(&self, by: &Integration<impl Nodes, F>, knots: &[f64]) -> Cuts {
+        let &Integration { nodes, basis, density, history, .. } = by;
         let count = nodes.count();
         let mut cuts = Cuts::new();
-        let opening =
-            |local: f64, fields: [f64; F]| density.opening(self.from + 0.5 * (1.0 + local) * self.length, fields);
+        let opening = |local: f64, fields: [f64; F]| {
+            let place = self.from + 0.5 * (1.0 + local) * self.length;
+            density.opening(place, fields, memory_of(history, place))
+        };
         let mut openings = [0.0; MOST_NODES];
         for rank in 0..count {
             let slot = slot(count, rank);

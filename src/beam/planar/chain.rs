@@ -22,7 +22,7 @@ pub struct Configuration<'a> {
     pub state: &'a [f64],
     /// The horizontal force H where it is one unknown of the whole chain, nN; zero elsewhere
     pub axial_multiplier: f64,
-    /// What its material points remember, where there is friction.
+    /// What its material points remember, where there is friction or a face that does not heal.
     pub history: Option<&'a History>,
     /// What strains they had before a step in time, where the material is viscous or the adhesive resists its opening.
     pub strains: Option<KnownStrains<'a>>,
@@ -168,8 +168,9 @@ pub trait Chain: Send + Sync {
     fn coverage_gradient(&self, at: Configuration) -> Vec<f64>;
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
-    /// What the material points remember behind a step that ended in a configuration; nothing without friction.
-    fn updated_history(&self, at: Configuration) -> Option<History>;
+    /// What the material points remember behind a step that ended in a configuration, and the integral of the energy that
+    /// [`EnergyDensity::remembered`](crate::beam::element::energy_density::EnergyDensity::remembered) gives, aJ; nothing where nothing remembers.
+    fn updated_history(&self, at: Configuration) -> Option<(History, f64)>;
     /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,

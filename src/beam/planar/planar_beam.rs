@@ -64,8 +64,8 @@ pub struct PlanarBeam {
     pub barrier: Barrier,
     /// What the chain is on; flat where nothing adheres.
     pub substrate: Substrate,
-    /// What the material points remember at rest, where there is friction.
-    pub history: Option<Arc<History>>,
+    /// What its material points remember
+    pub memory: FaceMemory,
     /// Whether the load has a potential.
     pub conservative: bool,
     /// How far a face slips until nothing attracts it, nm, where the adhesion holds it along the ground. The load then depends on x - S, and the first
@@ -448,7 +448,65 @@ impl FrontPosition {
     }
 }
 
-// -- What the face of a beam remembers of its sliding: the rows of its [`History`] are place, mobilisation and shear strength --
+// -- What the face of a beam remembers --
+
+/// What the face of a beam remembers, with what that is at rest.
+#[derive(Clone, Debug, Default)]
+pub enum FaceMemory {
+    /// Nothing
+    #[default]
+    Nothing,
+    /// How it has slid, from step to step: the rows are place, mobilisation and shear strength.
+    Slip(Arc<History>),
+    /// How far it has been open and has slipped at most, where it does not heal: the rows are these up to where it began to close, by which the law
+    /// goes, and up to now.
+    Opening(Arc<History>),
+}
+
+/// What a face may have healed without being said to have closed, over the work of adhesion of a process zone.
+const HEALED: f64 = 1e-11;
+
+impl FaceMemory {
+    /// At rest
+    pub fn at_rest(&self) -> Option<&Arc<History>> {
+        match self {
+            Self::Nothing => None,
+            Self::Slip(history) | Self::Opening(history) => Some(history),
+        }
+    }
+
+    /// At rest, of a face that slides under friction
+    pub fn slip_at_rest(&self) -> Option<&Arc<History>> {
+        match self {
+            Self::Slip(history) => Some(history),
+            Self::Nothing | Self::Opening(_) => None,
+        }
+    }
+}
+
+impl PlanarBeam {
+    /// What its material points remember behind a step that ended in a state.
+    pub(super) fn remembered(&self, at: &State) -> Option<History> {
+        let (mut known, energy) = self.chain.updated_history(self.configuration(at))?;
+        if let FaceMemory::Slip(_) = self.memory {
+            known.dissipated += energy;
+        }
+        Some(known)
+    }
+
+    /// A face that only opens goes by its law as it is. Where it has closed again in a step, how far it had been before that is what its law goes by
+    /// from there on.
+    pub(super) fn remembered_before_closing(&self, at: &State) -> Option<History> {
+        let FaceMemory::Opening(_) = self.memory else { return None };
+        let (_, healed) = self.chain.updated_history(self.configuration(at))?;
+        let mut known =
+            at.history.as_deref().filter(|_| healed > HEALED * self.rest_adhesion.abs() * self.process_length)?.clone();
+        known.rows.iter_mut().for_each(|row| *row = [row[2], row[3], row[2], row[3]]);
+        Some(known)
+    }
+}
+
+// -- What the face of a beam remembers of its sliding --
 
 /// A history read as that of friction.
 #[derive(Clone, Copy, Debug)]
@@ -460,7 +518,7 @@ const ALL: f64 = 1.0 - 1e-9;
 impl FrictionHistory<'_> {
     /// S of each place (nm), with what it remembers.
     pub fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
-        self.0.iter().map(|(s, [place, mobilisation, limit])| (s, FrictionState { place, mobilisation, limit }))
+        self.0.iter().map(|(s, [place, mobilisation, limit, _])| (s, FrictionState { place, mobilisation, limit }))
     }
 
     /// ∫ τ dS, the friction that the contact bears per width, nN/nm.

@@ -1,7 +1,7 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
 use super::chain::{ChainFactors, Configuration, ConstraintGradient};
-use super::planar_beam::{FRONT, PlanarBeam, TIP_ROTATION};
+use super::planar_beam::{FRONT, FaceMemory, PlanarBeam, TIP_ROTATION};
 use crate::adhesion::substrate::Substrate;
 use crate::beam::mesh::MeshKind;
 use crate::beam::reference_configuration::ReferenceConfiguration;
@@ -62,7 +62,7 @@ impl System for PlanarBeam {
     }
 
     fn has_history(&self) -> bool {
-        self.history.is_some()
+        matches!(self.memory, FaceMemory::Slip(_))
     }
 
     fn round_off(&self) -> f64 {
@@ -196,7 +196,12 @@ impl System for PlanarBeam {
         if self.chain.has_border() {
             values.extend([self.pretension, self.stretch]);
         }
-        State { mesh: Mesh { boundaries, focus, ..Mesh::default() }, values, force: 0.0, history: self.history.clone() }
+        State {
+            mesh: Mesh { boundaries, focus, ..Mesh::default() },
+            values,
+            force: 0.0,
+            history: self.memory.at_rest().cloned(),
+        }
     }
 
     fn on_elements(&self, at: &State, elements: usize) -> State {
@@ -235,8 +240,12 @@ impl System for PlanarBeam {
         Some(self.resampled(at, self.mesh_near(front, &at.mesh)))
     }
 
+    fn corner_before(&self, at: &State) -> Option<Arc<History>> {
+        self.remembered_before_closing(at).map(Arc::new)
+    }
+
     fn commit(&self, at: &State) -> Option<Arc<History>> {
-        self.chain.updated_history(self.configuration(at)).map(Arc::new)
+        self.remembered(at).map(Arc::new)
     }
 
     /// Turned, the more the farther from the grip.

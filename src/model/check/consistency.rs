@@ -74,6 +74,7 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
         return Err(ModelError::new(key, ModelErrorKind::BesideTable { found }));
     }
     shear_strength(model)?;
+    healing(model)?;
     let stretched = model.strip().is_some() && model.ground.substrate.is_flat();
     match model.grip.pretension {
         Some(value) if !stretched || model.grip.horizontal == Hold::Free => {
@@ -102,6 +103,22 @@ fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
         (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),
     ];
     none_beside("adhesion.shear_strength", "a shear strength of the adhesion", &beside)
+}
+
+/// That what does not heal is a strip on flat ground in the plane under a cohesive law, with the contact moment and without pretension.
+fn healing(model: &PeelModel) -> Result<(), ModelError> {
+    if model.adhesion.healing {
+        return Ok(());
+    }
+    let beside = [
+        (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
+        (model.strip().is_none(), "a body that is no strip"),
+        (model.space.is_some(), "`space`"),
+        (!model.ground.substrate.is_flat(), "ground that is not flat"),
+        (model.grip.pretension.is_some(), "`grip.pretension`"),
+        (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),
+    ];
+    none_beside("adhesion.healing", "an adhesion that does not heal", &beside)
 }
 
 /// That a key is given beside none of these.

@@ -17,14 +17,14 @@ use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
 use crate::beam::planar::density::sheared::ShearedBeam;
 use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
-use crate::beam::planar::planar_beam::PlanarBeam;
+use crate::beam::planar::planar_beam::{FaceMemory, PlanarBeam};
 use crate::beam::planar::uniform_chain::elements::UniformChain;
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::varying::{Profile, Varying};
 use crate::model::ground::FLOOR_OF_STICKING;
 use crate::model::peel::{Form, Hold, PeelModel};
 use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure};
-use crate::solve::state::History;
+use crate::solve::state::{History, MEMORIES};
 use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -86,8 +86,10 @@ const CORNERED_WEIGHT: f64 = 8.0;
 /// resisted over that length over √3.
 const TURNING: f64 = 0.5;
 
-/// From one remembered slip to the next, over the least length over which what happens at the front changes.
-const REMEMBERED: f64 = 1.0 / 24.0;
+/// From one remembered slip to the next, and from one remembered opening to the next, over the least length over which what happens at the front
+/// changes.
+const SLIP_SPACING: f64 = 1.0 / 24.0;
+const OPENING_SPACING: f64 = 1.0 / 96.0;
 
 impl PeelModel {
     /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front, of a model that [`PeelModel::check`]
@@ -142,11 +144,19 @@ impl PeelModel {
             ReferenceConfiguration::Varying(_) => InitialState::Settling,
         };
         let mut beam = PlanarBeam {
-            history: friction.map(|law| Arc::new(self.not_slid(&placement.rest, &law))),
-            chain: match self.adhesion.sheared_law() {
+            memory: self.face_memory(&placement.rest),
+            chain: match (self.adhesion.sheared_law(), self.adhesion.unhealed_law()) {
                 // what adheres holds the free end
-                Some(sheared) => three_field(ShearedBeam { profile, law, sheared }, how.order, [None; 3]),
-                None => chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
+                (Some(sheared), None) => {
+                    three_field(ShearedBeam::<false> { profile, law, sheared }, how.order, [None; 3])
+                }
+                (held, Some(sheared)) => {
+                    let end = if held.is_some() { None } else { Some(0.0) };
+                    three_field(ShearedBeam::<true> { profile, law, sheared }, how.order, [end, None, None])
+                }
+                (None, None) => {
+                    chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order)
+                }
             },
             length,
             rest: placement.rest,
@@ -262,14 +272,24 @@ impl PeelModel {
         }
     }
 
+    /// What the lower face remembers in the stress-free configuration: that it has not slid, or has nowhere been.
+    fn face_memory(&self, rest: &ReferenceConfiguration) -> FaceMemory {
+        let friction = self.friction_law().map(|law| FaceMemory::Slip(Arc::new(self.not_slid(rest, &law))));
+        let nowhere = || {
+            let history = History::new(self.length(), OPENING_SPACING * self.opening_length(), |_| [0.0; MEMORIES]);
+            self.adhesion.unhealed_law().map_or(FaceMemory::Nothing, |_| FaceMemory::Opening(Arc::new(history)))
+        };
+        friction.unwrap_or_else(nowhere)
+    }
+
     /// The lower face in the stress-free configuration, which has not slid.
     fn not_slid(&self, rest: &ReferenceConfiguration, law: &FrictionLaw) -> History {
         let face = |s: f64| {
             let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
             let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
-            [x + half * rotation.sin(), 0.0, limit]
+            [x + half * rotation.sin(), 0.0, limit, 0.0]
         };
-        History::new(self.length(), REMEMBERED * self.feature_length(), face)
+        History::new(self.length(), SLIP_SPACING * self.feature_length(), face)
     }
 
     /// Where elements are small next to the front, as if that were at S = 0. Corners of a law lie where it acts, a few
@@ -289,7 +309,8 @@ impl PeelModel {
 
     /// Whether elements are cut where the pieces of the law join.
     pub(crate) fn cuts_elements(&self) -> bool {
-        let joins = !self.line_law().knots().is_empty() || self.adhesion.shear_strength.is_some();
+        let joins =
+            !self.line_law().knots().is_empty() || self.adhesion.shear_strength.is_some() || !self.adhesion.healing;
         joins && self.ground.substrate.is_flat()
     }
 

@@ -112,6 +112,7 @@ impl PeelModel {
             (!self.ground.substrate.is_flat(), "ground that is not flat"),
             (self.friction_law().is_some(), "friction"),
             (self.adhesion.shear_strength.is_some(), "a shear strength of the adhesion"),
+            (!self.adhesion.healing, "an adhesion that does not heal"),
             (!self.steps.is_empty(), "a step before the pull"),
             (self.pull.turn != 0.0, "a grip that turns as it goes"),
             (self.grip.pretension.is_some(), "a pretension"),

@@ -141,7 +141,13 @@ impl<'p> Path<'p> {
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
-            None => Arc::new(self.step()?),
+            None => {
+                let next = self.step()?;
+                Arc::new(match self.problem.system.corner_before(&next.at) {
+                    Some(memory) => self.step_behind_corner(&next, memory)?,
+                    None => next,
+                })
+            }
         };
         self.history = self.problem.system.commit(&point.at);
         self.points.push(point.clone());
@@ -173,6 +179,34 @@ impl<'p> Path<'p> {
             stepped = self.step_noticing().or(stepped);
         }
         stepped
+    }
+
+    /// The point in place of one that passed a corner, with what is remembered at the newest point: next to it where the corner is slight. Else the
+    /// path goes on in another direction, so that nothing is predicted, to its displacement or less far.
+    fn step_behind_corner(&mut self, passed: &Solution, memory: Arc<History>) -> Result<Solution, PathError> {
+        self.history = Some(memory);
+        let newest = self.points[self.points.len() - 1].clone();
+        let (from, to) = (newest.observables.displacement, passed.observables.displacement);
+        let (mut part, mut cause) = (1.0, SolveError::SingularGrip);
+        self.ws.set_pace(Pace::Quick);
+        let along = self.weights(&newest.slope);
+        let onward = Observables { displacement: (to - from).signum(), ..Observables::default() };
+        for tries in 0..MOST_TRIES {
+            let (from_which, weights, target) = match tries {
+                0 => (passed, along, along.dot(&passed.observables)),
+                _ => (&*newest, onward, onward.displacement * (from + part * (to - from))),
+            };
+            let start = State { history: self.history.clone(), ..from_which.at.clone() };
+            match solve(self.problem, start, &PathConstraint { weights, target }, &self.newton(), &mut self.ws) {
+                Ok(next) => {
+                    self.iterations += next.iterations;
+                    return Ok(next);
+                }
+                Err(_) if tries == 0 => {}
+                Err(error) => (cause, part) = (error, 0.25 * part),
+            }
+        }
+        Err(self.stopped(MOST_TRIES, cause))
     }
 
     fn step_noticing(&mut self) -> Result<Solution, PathError> {

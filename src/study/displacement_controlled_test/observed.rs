@@ -27,6 +27,9 @@ pub enum NoTest {
     /// The grip takes steps before the pull.
     #[error("drive.steps has steps before the pull; the test has to begin at rest, where it also ends")]
     Steps,
+    /// The adhesion does not heal.
+    #[error("adhesion.healing is false: the test comes back to where it began, as a strip does that adheres again")]
+    Healing,
     /// The grip turns as it goes.
     #[error("drive.turn rotates the grip during the pull; the work of the machine is that of a force alone")]
     Turn,
@@ -39,6 +42,7 @@ impl NoTest {
             Self::Model(error) => return error.remedy(),
             Self::Friction => "Omit --observed, or remove the table [friction]",
             Self::NoPotential => "Omit --observed, or use another line_load or law, or no shear_work",
+            Self::Healing => "Omit --observed, or remove adhesion.healing",
             Self::Steps => "Omit --observed, or remove drive.steps",
             Self::Turn => "Omit --observed, or remove drive.turn",
         };
@@ -96,6 +100,9 @@ fn tested(model: PeelModel, accuracy: &Accuracy) -> Result<PeelModel, NoTest> {
     checked(&model, accuracy)?;
     if model.friction_law().is_some() {
         return Err(NoTest::Friction);
+    }
+    if !model.adhesion.healing {
+        return Err(NoTest::Healing);
     }
     if !model.has_potential() {
         return Err(NoTest::NoPotential);

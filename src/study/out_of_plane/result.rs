@@ -88,6 +88,8 @@ pub enum NotOutOfPlane {
         "adhesion.shear_strength holds the strip along the substrate, and what it does out of the plane is not computed"
     )]
     Shear,
+    #[error("adhesion.healing is false, and what such an adhesion does out of the plane is not computed")]
+    Healing,
     #[error("strip.stretch is not linear, and what such a strip does out of the plane is not computed")]
     Stretch,
     #[error(
@@ -113,6 +115,7 @@ impl NotOutOfPlane {
             (!model.ground.substrate.is_flat(), Self::Ground),
             (model.friction_law().is_some(), Self::Friction),
             (model.adhesion.shear_strength.is_some(), Self::Shear),
+            (!model.adhesion.healing, Self::Healing),
             (!model.material().stretch.is_linear(), Self::Stretch),
             (model.has_layers(), Self::Layers),
             (!model.has_potential(), Self::NoPotential),
@@ -129,6 +132,7 @@ impl NotOutOfPlane {
             Self::Ground => "remove the table [substrate]",
             Self::Friction => "remove the table [friction]",
             Self::Shear => "remove adhesion.shear_strength",
+            Self::Healing => "remove adhesion.healing",
             Self::Stretch => "remove strip.stretch",
             Self::Layers => "remove strip.layers",
             Self::NoPotential => "use another line_load or law",

@@ -161,7 +161,7 @@ impl DeformedShape {
             ([values[beam.rotation - 1] + 0.5 * height, rotation, height], section.horizontal_slope)
         };
         // the free end is held there, unless friction alone holds it
-        let mut x = if beam.history.is_some() { at.values[0] } else { 0.0 };
+        let mut x = if beam.memory.slip_at_rest().is_some() { at.values[0] } else { 0.0 };
         for e in 0..at.mesh.elements() {
             let length = at.mesh.boundaries[e + 1] - at.mesh.boundaries[e];
             let samples = samples(length);

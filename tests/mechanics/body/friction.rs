@@ -106,14 +106,7 @@ fn balance(model: &PeelModel, stride: f64) -> (f64, f64, usize) {
         .sum();
     let energy = |s: &Solution| problem.energy(&s.at, s.energy);
     let last = &points[points.len() - 1];
-    let dissipated = problem
-        .beam
-        .planar()
-        .unwrap()
-        .chain
-        .updated_history(problem.beam.planar().unwrap().configuration(&last.at))
-        .unwrap()
-        .dissipated;
+    let dissipated = problem.system.commit(&last.at).unwrap().dissipated;
     (work, work - (energy(last) - energy(&points[0])) - dissipated, points.len())
 }
 

@@ -8,6 +8,7 @@ mod error_bounds;
 mod events;
 mod fit;
 mod followed_until;
+mod healing;
 mod measured_law;
 mod observed;
 mod observed_in_space;

@@ -54,6 +54,8 @@ fn with_value(key: &Key, value: &str) -> String {
                 false => !["shear_strength", "shear_work"].contains(&other.name),
             }
     };
+    // nor does what does not heal go with that
+    let fits = |other: &&Key| fits(other) && (other.name != "healing" || key.name == "healing");
     // friction goes with the half space on flat ground alone
     let rubs = key.table == "friction";
     let apart =

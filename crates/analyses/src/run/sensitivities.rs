@@ -16,12 +16,9 @@ pub struct Exponents {
 
 /// Refuses a scene of which there are none.
 pub(super) fn refuse(scene: &Scene) -> Result<(), Refusal> {
-    if scene.model.friction_law().is_some() {
-        let why = NoSensitivities::Friction;
-        return Err(Refusal::asked(
-            format!("there are no sensitivities: {why}"),
-            "Omit --sensitivities, or [friction].",
-        ));
+    if let Some(why) = NoSensitivities::of(&scene.model) {
+        let remedy = why.key().map_or_else(String::new, |key| format!("Omit --sensitivities, or `{key}`."));
+        return Err(Refusal::asked(format!("there are no sensitivities: {why}"), remedy));
     }
     if scene.accuracy.terms == Terms::Auto {
         return Err(Refusal::asked(

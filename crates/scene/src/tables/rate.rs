@@ -133,6 +133,7 @@ fn not_covered(scene: &Scene) -> Option<(String, ValueError)> {
         (model.space.is_some(), "is in space"),
         (!model.ground.substrate.is_flat(), "has ground that is not flat"),
         (model.friction_law().is_some(), "has friction"),
+        (!model.adhesion.healing, "has an adhesion that does not heal"),
         (!model.steps.is_empty(), "has steps before the pull"),
         (model.pull.turn != 0.0, "turns its grip by `drive.turn`"),
         (model.grip.pretension.is_some(), "has a `grip.pretension`"),

@@ -6,6 +6,7 @@ use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::varying::Profile;
 use crate::number::Real;
+use crate::solve::state::MEMORIES;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
 /// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`crate::beam::ReissnerBeam`].
@@ -86,12 +87,15 @@ impl EnergyDensity<3> for BeamOnGround {
         response.value_value[2][2] = response.value_value[2][2] - force * sine;
     }
 
-    fn remembered(&self, place: f64, value: [f64; 3], before: FrictionState) -> (FrictionState, f64) {
+    /// Place, mobilisation and limit of the face: [`FrictionState`].
+    fn remembered(&self, place: f64, value: [f64; 3], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
         let Some(friction) = &self.friction else { return (before, 0.0) };
+        let [from, mobilisation, limit, _] = before;
+        let before = FrictionState { place: from, mobilisation, limit };
         let station = self.profile.at(place);
         let ([x, gap], _) = self.face(station.height, value);
         let (slip, dissipated) = friction.remembered(x, gap, before);
-        (slip, station.width * dissipated)
+        ([slip.place, slip.mobilisation, slip.limit, 0.0], station.width * dissipated)
     }
 
     fn is_symmetric(&self) -> bool {

@@ -11,7 +11,7 @@
 
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
 use crate::beam::section::SectionAt;
 use crate::beam::varying::Profile;
 use crate::number::Real;
@@ -140,11 +140,11 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         self.law.knots()
     }
 
-    fn opening(&self, place: f64, [gap, rotation]: [f64; 2]) -> f64 {
+    fn opening(&self, place: f64, [gap, rotation]: [f64; 2], _: [f64; MEMORY]) -> f64 {
         self.law.opening(self.profile.at(place).height, gap, rotation)
     }
 
-    fn adhesion_response(&self, place: f64, [gap, rotation]: [f64; 2]) -> PointResponse<f64, 2> {
+    fn adhesion_response(&self, place: f64, [gap, rotation]: [f64; 2], _: [f64; MEMORY]) -> PointResponse<f64, 2> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);

@@ -5,7 +5,7 @@
 
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
 use crate::beam::reference_configuration::ReferenceCurve;
 use crate::beam::section::{Section, SectionAt};
 use crate::beam::stretch_law::{StretchLaw, StretchResponse};
@@ -136,11 +136,11 @@ impl EnergyDensity<3> for ReissnerBeam {
         self.law.knots()
     }
 
-    fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> f64 {
+    fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3], _: [f64; MEMORY]) -> f64 {
         self.law.opening(self.profile.at(place).height, gap, rotation)
     }
 
-    fn adhesion_response(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> PointResponse<f64, 3> {
+    fn adhesion_response(&self, place: f64, [_, gap, rotation]: [f64; 3], _: [f64; MEMORY]) -> PointResponse<f64, 3> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);

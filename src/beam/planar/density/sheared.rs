@@ -1,16 +1,19 @@
-//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well.
+//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, or off which it does not heal.
 
 use super::reissner::{ReissnerBeam, stored};
+use crate::adhesion::section::calibrated::Cohesive;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::adhesion::section::sheared::{ShearedLaw, ShearedResponse};
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::adhesion::section::sheared::{Farthest, ShearedLaw, ShearedResponse};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::beam::varying::Profile;
 use crate::number::Real;
+use crate::solve::state::MEMORIES;
 
 /// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
-/// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`].
+/// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS` the law is
+/// that of a face that does not heal, and [`Point::memory`] has how far this has been.
 #[derive(Clone, Debug)]
-pub struct ShearedBeam {
+pub struct ShearedBeam<const REMEMBERS: bool> {
     /// The beam from place to place
     pub profile: Profile,
     /// What adheres it to the flat ground
@@ -19,10 +22,16 @@ pub struct ShearedBeam {
     pub sheared: ShearedLaw,
 }
 
-impl ShearedBeam {
-    fn adhesion<T: Real>(&self, place: T, [x, gap, rotation]: [T; 3], height: T) -> ShearedResponse<T> {
+impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
+    fn adhesion<T: Real>(
+        &self,
+        place: T,
+        [x, gap, rotation]: [T; 3],
+        height: T,
+        [distance, slip, ..]: [T; MEMORY],
+    ) -> ShearedResponse<T> {
         let (sin, cos) = rotation.sin_cos();
-        self.sheared.response(height, [x - place, gap], [sin, cos])
+        self.sheared.response_after(height, [x - place, gap], [sin, cos], Farthest { distance, slip })
     }
 }
 
@@ -41,7 +50,7 @@ fn add<T: Real>(response: &mut PointResponse<T, 3>, adhesion: &ShearedResponse<T
     }
 }
 
-impl EnergyDensity<3> for ShearedBeam {
+impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     const COUPLING: Coupling<3> =
         Coupling { value_value: [[true; 3]; 3], ..<ReissnerBeam as EnergyDensity<3>>::COUPLING };
 
@@ -50,8 +59,43 @@ impl EnergyDensity<3> for ShearedBeam {
         let station = self.profile.at(place);
         let slopes = [dx, gap_slope + station.rise, turn];
         let mut response = stored(&station, value[2], slopes);
-        add(&mut response, &self.adhesion(place, value, station.height), station.width);
+        if !REMEMBERS {
+            let nothing = [T::splat(0.0); MEMORY];
+            add(&mut response, &self.adhesion(place, value, station.height, nothing), station.width);
+        }
         response
+    }
+
+    const HAS_HISTORY: bool = REMEMBERS;
+
+    #[inline(always)]
+    fn add_remembered<T: Real>(
+        &self,
+        &Point { place, value, memory, .. }: &Point<T, 3>,
+        response: &mut PointResponse<T, 3>,
+    ) {
+        let station = self.profile.at(place);
+        add(response, &self.adhesion(place, value, station.height, memory), station.width);
+    }
+
+    /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
+    /// it goes wins as if the face had healed since.
+    fn remembered(&self, place: f64, value: [f64; 3], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
+        let [known_distance, known_slip, distance, slip] = before;
+        let station = self.profile.at(place);
+        let [x, gap, rotation] = value;
+        let farthest = self.sheared.farthest(station.height, [x - place, gap], rotation, Farthest { distance, slip });
+        let now = [known_distance, known_slip, farthest.distance, farthest.slip];
+        // what is as far as ever has its law, and so has what goes by as far as it has been
+        let is_out = farthest.distance > distance && (farthest.slip > slip || self.sheared.is_sliding());
+        if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
+            return (now, 0.0);
+        }
+        let energy = |[distance, slip]: [f64; 2]| {
+            let memory = [distance, slip, 0.0, 0.0, 0.0, 0.0, 0.0];
+            self.adhesion(place, value, station.height, memory).energy
+        };
+        (now, station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip])))
     }
 
     fn is_symmetric(&self) -> bool {
@@ -62,14 +106,17 @@ impl EnergyDensity<3> for ShearedBeam {
         self.sheared.cohesive.shape.knots_of_parts()
     }
 
-    fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3]) -> f64 {
-        self.law.opening(self.profile.at(place).height, gap, rotation)
+    /// Of a face that has been farther away that is what its traction goes by.
+    fn opening(&self, place: f64, [_, gap, rotation]: [f64; 3], [farthest, ..]: [f64; MEMORY]) -> f64 {
+        let opening = self.law.opening(self.profile.at(place).height, gap, rotation);
+        let Cohesive { closed, range, .. } = self.sheared.cohesive;
+        if opening > 0.0 { opening.max((farthest - closed) / range) } else { opening }
     }
 
-    fn adhesion_response(&self, place: f64, value: [f64; 3]) -> PointResponse<f64, 3> {
+    fn adhesion_response(&self, place: f64, value: [f64; 3], memory: [f64; MEMORY]) -> PointResponse<f64, 3> {
         let station = self.profile.at(place);
         let mut response = PointResponse::zero();
-        add(&mut response, &self.adhesion(place, value, station.height), station.width);
+        add(&mut response, &self.adhesion(place, value, station.height, memory), station.width);
         response
     }
 

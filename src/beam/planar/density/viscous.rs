@@ -10,7 +10,7 @@
 
 use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
 use crate::adhesion::section::line_load::RateLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::beam::section::Section;
 use crate::beam::stretch_law::StretchLaw;
 use crate::number::Real;
@@ -75,12 +75,12 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
         self.density.knots()
     }
 
-    fn opening(&self, place: f64, value: [f64; 3]) -> f64 {
-        self.density.opening(place, value)
+    fn opening(&self, place: f64, value: [f64; 3], memory: [f64; MEMORY]) -> f64 {
+        self.density.opening(place, value, memory)
     }
 
-    fn adhesion_response(&self, place: f64, value: [f64; 3]) -> PointResponse<f64, 3> {
-        self.density.adhesion_response(place, value)
+    fn adhesion_response(&self, place: f64, value: [f64; 3], memory: [f64; MEMORY]) -> PointResponse<f64, 3> {
+        self.density.adhesion_response(place, value, memory)
     }
 
     #[inline(always)]

@@ -3,12 +3,13 @@
 use crate::beam::element::basis::Basis;
 use crate::beam::element::energy_density::MEMORY;
 use crate::beam::element::integrand::PlanarIntegrand;
-use crate::beam::element::integration::{Element, ElementEnergy, Integration, Responses};
+use crate::beam::element::integration::{Element, ElementEnergy, Integration, Responses, memory_of};
 use crate::beam::planar::chain::{ChainFactors, CondensedChain, Configuration, ConstraintGradient, NodeState};
 use crate::number::F64x4;
 use crate::solve::error::SolveError;
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, MOST_NODES, Nodes, slot};
+use crate::solve::state::History;
 use crate::solve::system::NodalTerms;
 use std::ops::Range;
 
@@ -64,9 +65,9 @@ pub struct UniformChain<const F: usize> {
 impl<const F: usize> UniformChain<F> {
     /// How its elements are integrated.
     #[inline(always)]
-    pub(super) fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, F> {
+    pub(super) fn integration<'a, N: Nodes>(&'a self, nodes: N, history: Option<&'a History>) -> Integration<'a, N, F> {
         let (density, coupling) = (&*self.density, self.density.coupling());
-        Integration { nodes, basis: &self.basis, density, coupling, symmetric: self.symmetric }
+        Integration { nodes, basis: &self.basis, density, coupling, symmetric: self.symmetric, history }
     }
 
     /// As many nodes as an element has.
@@ -134,19 +135,12 @@ impl<const F: usize> UniformChain<F> {
 
     /// What the material remembers at Gauss point `q` of element `e`.
     fn memory(&self, at: Configuration, e: usize, q: usize) -> [f64; MEMORY] {
-        let [a, b, c, d, e, f] = match (at.history, at.strains) {
-            (Some(known), _) => {
-                let [place, carried] =
-                    known.at(at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]));
-                [place, carried, 0.0, 0.0, 0.0, 0.0]
-            }
-            (None, Some(known)) => {
-                let [stretch, slide, turn, distance] = known.strains[e * self.basis.order + q];
-                [stretch, slide, turn, known.factor, distance, known.per_time]
-            }
-            (None, None) => [0.0; 6],
+        let Some(known) = at.strains else {
+            let place = at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]);
+            return memory_of(at.history, place);
         };
-        [a, b, c, d, e, f, 0.0]
+        let [stretch, slide, turn, distance] = known.strains[e * self.basis.order + q];
+        [stretch, slide, turn, known.factor, distance, known.per_time, 0.0]
     }
 
     /// The same of one number a node and field.

@@ -136,7 +136,7 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.sample_at(at, element, local)
     }
 
-    fn updated_history(&self, at: Configuration) -> Option<History> {
+    fn updated_history(&self, at: Configuration) -> Option<(History, f64)> {
         self.updated(at)
     }
 

@@ -19,7 +19,7 @@ use crate::adhesion::section::cohesive::CohesiveShape;
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
-use crate::beam::element::energy_density::EnergyDensity;
+use crate::beam::element::energy_density::{EnergyDensity, MEMORY};
 use crate::beam::planar::chain::{Chain, ChainFactors, Configuration, ConstraintGradient};
 use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
@@ -76,7 +76,7 @@ fn agree<const F: usize>(density: impl EnergyDensity<F> + Clone + 'static, order
                 let local = -1.0 + (2.0 * f64::from(k) + 1.0 + point) / f64::from(panels);
                 let (all, _) = chain.sample(at(&state), e, local);
                 let value = std::array::from_fn(|f| all[f]);
-                let response = density.adhesion_response(ENDS[e] + 0.5 * (1.0 + local) * length, value);
+                let response = density.adhesion_response(ENDS[e] + 0.5 * (1.0 + local) * length, value, [0.0; MEMORY]);
                 coverage += response.coverage * weight * length / f64::from(panels);
             }
         }

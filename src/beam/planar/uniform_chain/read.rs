@@ -1,10 +1,9 @@
 //! What is read off a configuration: energies, section forces, and its fields in other places.
 
 use super::elements::UniformChain;
-use crate::adhesion::friction::dahl::FrictionState;
 use crate::beam::element::basis::PerNode;
 use crate::beam::element::energy_density::SectionState;
-use crate::beam::element::integration::{Element, ElementEnergy};
+use crate::beam::element::integration::{Element, ElementEnergy, memory_of};
 use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
 use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
 use crate::solve::state::History;
@@ -46,7 +45,7 @@ impl<const F: usize> UniformChain<F> {
     fn sum_energy(&self, nodes: impl Nodes, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
         let elements = at.ends.len() - 1;
         let mut sums = [0.0; 3];
-        let (by, mut bundle) = (self.integration(nodes), Element::zero());
+        let (by, mut bundle) = (self.integration(nodes, at.history), Element::zero());
         for first in (0..elements).step_by(BUNDLE) {
             let changes = self.gather_values(nodes, direction, first, elements);
             self.gather_bundle(nodes, at, first, &mut bundle);
@@ -92,7 +91,7 @@ impl<const F: usize> UniformChain<F> {
     /// [`super::Chain::residual`]
     pub(super) fn residual_of(&self, at: Configuration) -> (Vec<f64>, f64) {
         let (nodes, mut residual, mut by_border) = (self.nodes(), vec![0.0; at.state.len()], 0.0);
-        let by = self.integration(nodes);
+        let by = self.integration(nodes, at.history);
         for e in 0..at.ends.len() - 1 {
             let element = self.element(nodes, at, e);
             self.scatter(e, &element.forces(&by), &mut residual);
@@ -109,7 +108,7 @@ impl<const F: usize> UniformChain<F> {
         let (nodes, mut gradient) = (self.nodes(), vec![0.0; at.state.len()]);
         for e in 0..at.ends.len() - 1 {
             let element = self.element(nodes, at, e);
-            self.scatter(e, &element.coverage_forces(&self.integration(nodes)), &mut gradient);
+            self.scatter(e, &element.coverage_forces(&self.integration(nodes, at.history)), &mut gradient);
         }
         gradient
     }
@@ -127,7 +126,7 @@ impl<const F: usize> UniformChain<F> {
     /// [`super::Chain::node_states`]
     #[inline(always)]
     fn states_of(&self, nodes: impl Nodes, at: Configuration, elements: Range<usize>) -> Vec<NodeState> {
-        let (order, by) = (nodes.count() - 1, self.integration(nodes));
+        let (order, by) = (nodes.count() - 1, self.integration(nodes, at.history));
         let mut states = Vec::with_capacity(elements.len() + 1);
         for e in elements.clone() {
             let element = self.element(nodes, at, e);
@@ -136,7 +135,8 @@ impl<const F: usize> UniformChain<F> {
                 let forces = forces[slot].map(|force| sign * force);
                 let section =
                     self.density.section_state_from_forces(position, values[slot], forces, at.axial_multiplier);
-                let adhesion = self.density.adhesion_at(position, values[slot], at.axial_multiplier);
+                let memory = memory_of(at.history, position);
+                let adhesion = self.density.adhesion_at(position, values[slot], memory, at.axial_multiplier);
                 let mut all = [0.0; MOST_FIELDS];
                 all[..F].copy_from_slice(&values[slot]);
                 states.push(NodeState { position, values: all, section, adhesion });
@@ -168,19 +168,17 @@ impl<const F: usize> UniformChain<F> {
     }
 
     /// [`super::Chain::updated_history`]
-    pub(super) fn updated(&self, at: Configuration) -> Option<History> {
+    pub(super) fn updated(&self, at: Configuration) -> Option<(History, f64)> {
         let known = at.history.filter(|_| self.density.remembers())?;
         let (mut e, mut values) = (0, self.gather(self.nodes(), at.state, 0));
-        Some(known.updated(|s, [place, mobilisation, limit]| {
+        Some(known.updated(|s, before| {
             while e + 2 < at.ends.len() && s > at.ends[e + 1] {
                 e += 1;
                 values = self.gather(self.nodes(), at.state, e);
             }
             let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
-            let before = FrictionState { place, mobilisation, limit };
             let fields = combine(self.nodes(), &values, &self.basis.sample_values(local));
-            let (slip, lost) = self.density.remembered(s, fields, before);
-            ([slip.place, slip.mobilisation, slip.limit], lost)
+            self.density.remembered(s, fields, before)
         }))
     }
 

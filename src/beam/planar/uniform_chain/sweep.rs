@@ -63,7 +63,7 @@ impl<const F: usize> UniformChain<F> {
         fronts.resize_with(elements.div_ceil(BUNDLE), FrontalMatrix::zero);
         ends.resize(elements * F, [0.0; EDGE]);
         below.resize(elements, [[0.0; MOST_FIELDS]; MOST_FIELDS + 1]);
-        let by = self.integration(nodes);
+        let by = self.integration(nodes, at.history);
         let mut energy = ElementEnergy::default();
         let mut negative = 0;
         let mut least_pivot = LeastPivot { size: f64::INFINITY, element: 0 };
@@ -130,7 +130,7 @@ impl<const F: usize> UniformChain<F> {
     ) -> [ElementEnergy; BUNDLE] {
         let mut energies = [ElementEnergy::default(); BUNDLE];
         if self.has_knots {
-            let by = self.integration(nodes);
+            let by = self.integration(nodes, at.history);
             for e in first..(at.ends.len() - 1).min(first + BUNDLE) {
                 let l = e - first;
                 self.element(nodes, at, e).piecewise(&by, |point| {

@@ -118,7 +118,7 @@ fn dense<const F: usize, const BORDER: bool>(
     for e in 0..elements {
         let (first, l) = (e - e % BUNDLE, e % BUNDLE);
         chain.gather_bundle(chain.nodes(), at, first, &mut bundle);
-        bundle.integrate::<BORDER>(&chain.integration(chain.nodes()), 1.0, &mut room, &mut front);
+        bundle.integrate::<BORDER>(&chain.integration(chain.nodes(), None), 1.0, &mut room, &mut front);
         let known: Vec<_> = (0..=order)
             .flat_map(|rank| (0..F).map(move |f| ((e * order + rank) * F + f, slot(order + 1, rank), f)))
             .collect();
@@ -288,7 +288,7 @@ fn a_beam() {
                 state.extend([s + 1e-4 * numbers.next(), 0.255 + 1e-5 * s * s, 2e-5 * s]);
             }
             // it has stuck where it lay
-            let history = rubs.then(|| History::new(30.0, 1.0, |s| [s, 0.0, 0.05]));
+            let history = rubs.then(|| History::new(30.0, 1.0, |s| [s, 0.0, 0.05, 0.0]));
             agrees::<3, false>(&chain, &Place { ends, state, damping: vec![], history }, &mut numbers);
         }
     }

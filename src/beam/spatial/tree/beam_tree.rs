@@ -287,7 +287,7 @@ impl BeamTree {
         branch: &'a TreeBranch,
     ) -> Integration<'a, N, SPATIAL_FIELDS> {
         let density: &dyn Integrand<SPATIAL_FIELDS> = &*branch.density;
-        Integration { nodes, basis: &self.basis, density, coupling: density.coupling(), symmetric: true }
+        Integration { nodes, basis: &self.basis, density, coupling: density.coupling(), symmetric: true, history: None }
     }
 
     pub(super) fn count(&self) -> AnyNumber {

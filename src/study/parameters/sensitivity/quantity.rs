@@ -167,6 +167,11 @@ pub enum NoSensitivities {
         "with friction what a beam does depends on its past, and no derivative of it is computed; set friction to none"
     )]
     Friction,
+    #[error(
+        "an adhesion that does not heal depends on its past, and no derivative of it is computed; set healing to true, which changes \
+         nothing as long as nothing that has opened closes again"
+    )]
+    Healing,
     #[error("terms of the model were left out of the path ({terms}); ask for all of them with terms = \"all\"")]
     TermsLeftOut { terms: String },
     #[error("the solutions behind the path are not known: it was read and not computed, or it has no point")]
@@ -189,6 +194,23 @@ pub enum NoSensitivities {
     Order(#[from] NoSuchOrder),
     #[error("{of} could not be solved for again beside its limit point: {cause}")]
     NotSolved { of: &'static str, cause: SolveError },
+}
+
+impl NoSensitivities {
+    /// What forbids them for a model, whose past decides what it does, if anything does.
+    pub fn of(model: &PeelModel) -> Option<Self> {
+        let past = [(model.friction_law().is_some(), Self::Friction), (!model.adhesion.healing, Self::Healing)];
+        past.into_iter().find(|(depends, _)| *depends).map(|(_, why)| why)
+    }
+
+    /// The key of a scene, or its table, that has to be removed for there to be any.
+    pub fn key(&self) -> Option<&'static str> {
+        match self {
+            Self::Friction => Some("friction"),
+            Self::Healing => Some("adhesion.healing"),
+            _ => None,
+        }
+    }
 }
 
 /// A parameter that results are differentiated by.

@@ -88,10 +88,7 @@ pub(super) fn solutions(peel: &Peel) -> Result<&SolutionHistory, NoSensitivities
     }
     let history =
         peel.trace.as_ref().filter(|history| !history.points.is_empty()).ok_or(NoSensitivities::NoSolutions)?;
-    if history.problem.system.has_history() {
-        return Err(NoSensitivities::Friction);
-    }
-    Ok(history)
+    NoSensitivities::of(&peel.model).map_or(Ok(history), Err)
 }
 
 /// How a peel was discretised.

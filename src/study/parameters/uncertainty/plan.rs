@@ -215,7 +215,10 @@ pub fn peel_numbers(
 
 /// Whether the initiation peak can be had without the path behind it.
 fn can_be_followed(model: &PeelModel) -> bool {
-    model.friction_law().is_none() && model.ground.substrate.is_flat() && model.steps.is_empty()
+    model.friction_law().is_none()
+        && model.adhesion.healing
+        && model.ground.substrate.is_flat()
+        && model.steps.is_empty()
 }
 
 fn whole(peel: &Peel, of: &[PeelQuantity]) -> Outcome {

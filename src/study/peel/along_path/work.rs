@@ -180,7 +180,7 @@ impl Peel {
 
     fn sliding(&self, trace: &SolutionHistory, solution: &Solution) -> Option<Sliding> {
         let strength = self.model.friction.strength?;
-        let began = FrictionHistory(trace.problem.beam.planar()?.history.as_ref()?).iter().next()?.1.place;
+        let began = FrictionHistory(trace.problem.beam.planar()?.memory.slip_at_rest()?).iter().next()?.1.place;
         let history = trace.problem.system.commit(&solution.at)?;
         let along: Vec<(f64, FrictionState)> = FrictionHistory(&history).iter().collect();
         // by the trapezoidal rule

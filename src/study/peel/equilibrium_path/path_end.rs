@@ -143,7 +143,7 @@ const LET_GO: f64 = 0.5;
 /// Whether all that is in contact slides one way, or next to nothing is left of the friction that alone holds the beam along the
 /// substrate.
 fn slides(problem: &BeamProblem, path: &Path) -> bool {
-    let rest = problem.beam.planar().and_then(|beam| beam.history.as_ref());
+    let rest = problem.beam.planar().and_then(|beam| beam.memory.slip_at_rest());
     let (Some(now), Some(rest)) = (path.history(), rest) else { return false };
     let little = LET_GO * problem.beam.process_length() / problem.beam.length();
     FrictionHistory(now).slides(little * FrictionHistory(rest).capacity())

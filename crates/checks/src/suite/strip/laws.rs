@@ -6,7 +6,7 @@ use crate::suite::strip::turns::Turns;
 use peelkit::adhesion::{CohesiveShape, LineLoad};
 use peelkit::analytic::kendall_force;
 use peelkit::beam::Material;
-use peelkit::model::{Adhesion, Attraction, Body, Grip, PeelModel, Strip, StripModel};
+use peelkit::model::{Adhesion, Attraction, Body, Grip, PeelModel, Step, Strip, StripModel};
 use peelkit::study::{Accuracy, FollowedUntil, Peel, StationAt, StationQuantity, StopCriteria, peel};
 use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_2;
@@ -92,6 +92,7 @@ fn steady(shape: CohesiveShape) -> Check {
 
 const CRACKS: &str = include_str!("../../../verification/double_cantilever.csv");
 const FILMS: &str = include_str!("../../../verification/t_peel.csv");
+const UNHEALED: &str = include_str!("../../../verification/unhealed.csv");
 const OF_CRACKS: &str = "verification/double_cantilever.py: boundary value problem";
 /// The table is good to this.
 const GOOD: f64 = 1e-7;
@@ -125,7 +126,39 @@ const NN_PER_N: f64 = 1e9;
 fn of_cracks() -> Vec<Check> {
     let mut checks: Vec<Check> = read(CRACKS).par_iter().filter_map(peak_of_crack).collect();
     checks.extend(of_films());
+    checks.extend(of_ways_back());
     checks
+}
+
+/// Forces of arms that do not heal, opened and brought back a way: the rows of one arm follow each other.
+fn of_ways_back() -> Vec<Check> {
+    let rows = read(UNHEALED);
+    let arm = |row: &Row| ["length_mm", "strength_MPa", "crack_mm", "opened_mm"].map(|column| row.number(column));
+    let arms: Vec<&[Row]> = rows.chunk_by(|a, b| arm(a) == arm(b)).collect();
+    arms.par_iter().flat_map_iter(|rows| of_way_back(rows).unwrap_or_default()).collect()
+}
+
+fn of_way_back(rows: &[Row]) -> Option<Vec<Check>> {
+    let openings: Vec<f64> = rows.iter().map(|row| row.number("opening_mm")).collect::<Option<_>>()?;
+    let (strength, crack) = (rows[0].number("strength_MPa")?, rows[0].number("crack_mm")?);
+    let is_film = rows[0].number("length_mm")? * NM_PER_MM == FILM.length;
+    let (strip, work) = if is_film { (FILM, FILM_WORK) } else { (ARM, HALF_OF_THE_WORK) };
+    let mut model = of_strip(Strip { crack: Some(NM_PER_MM * crack), ..strip }, work, strength);
+    (model.adhesion.healing, model.adhesion.line_load) = (false, LineLoad::Full);
+    let back = openings.windows(2).map(|pair| Step::Press(NM_PER_MM * (pair[0] - pair[1])));
+    model.steps = [Step::Lift(NM_PER_MM * openings[0])].into_iter().chain(back).collect();
+    let found = peel(&model, &Accuracy::to(GOOD), &StopCriteria::after_points(2));
+    let kind = if is_film { "T-peel" } else { "double cantilever beam" };
+    let one = |(index, row): (usize, &Row)| {
+        let force = found.steps.get(index).map(|grip| grip.forces.vertical / NN_PER_N);
+        let name = format!(
+            "force of a {kind} that does not heal, {strength} MPa, opened to {} mm, at {} mm (N)",
+            openings[0], openings[index]
+        );
+        let expected = row.number("force_N")?;
+        Some(Check::new(name, OF_CRACKS, force.ok_or_else(|| missing(&found.end)), expected, Measure::Relative, GOOD))
+    };
+    Some(rows.iter().enumerate().filter_map(one).collect())
 }
 
 /// Forces of a T-peel at the openings of the table.
@@ -156,6 +189,12 @@ fn of_arm(strength: f64, crack: f64) -> Peel {
 
 /// The path of an arm under the exponential law.
 fn peeled(arm: Strip, work: f64, strength: f64, until: FollowedUntil) -> Peel {
+    let stop = StopCriteria { until, ..StopCriteria::default() };
+    peel(&of_strip(arm, work, strength), &Accuracy::to(GOOD), &stop)
+}
+
+/// An arm under the exponential law, whose load does not depend on its rotation.
+fn of_strip(arm: Strip, work: f64, strength: f64) -> PeelModel {
     let law = Adhesion {
         attraction: Attraction::Cohesive(CohesiveShape::Exponential),
         line_load: LineLoad::AxisGap,
@@ -164,7 +203,5 @@ fn peeled(arm: Strip, work: f64, strength: f64, until: FollowedUntil) -> Peel {
         ..Adhesion::default()
     };
     let equilibrium_distance = law.distance_of_work_and_strength().unwrap_or(law.equilibrium_distance);
-    let model = PeelModel::of(Body::Strip(arm), Adhesion { equilibrium_distance, ..law }, Grip::FREE);
-    let stop = StopCriteria { until, ..StopCriteria::default() };
-    peel(&model, &Accuracy::to(GOOD), &stop)
+    PeelModel::of(Body::Strip(arm), Adhesion { equilibrium_distance, ..law }, Grip::FREE)
 }
