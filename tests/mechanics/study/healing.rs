@@ -72,7 +72,8 @@ fn as_long_as_nothing_closes_it_is_the_same() {
 fn a_tape_that_slips_back_is_held_less() {
     let model = tape(Some(1e-3));
     let stop = StopCriteria { until: FollowedUntil::FirstJump, ..StopCriteria::default() };
-    let force = |model: &PeelModel, relative| peel(model, &Accuracy::to(relative), &stop).initiation_peak.unwrap().force;
+    let force =
+        |model: &PeelModel, relative| peel(model, &Accuracy::to(relative), &stop).initiation_peak.unwrap().force;
     let healed = force(&healing(&model), 1e-7);
     let more = [1e-6, 1e-7].map(|relative| force(&model, relative) / healed - 1.0);
     assert!(more.iter().all(|more| (1.0e-6..1.4e-6).contains(more)), "{more:?}");
