@@ -16,7 +16,7 @@ use crate::solve::path::options::PathOptions;
 use crate::solve::problem::MeasuredBeside;
 use crate::solve::workspace::Pace;
 use crate::study::asked::accuracy::{Accuracy, Choice, MOST_FAILED_IN_SPACE, Resolution, most_elements, refined};
-use crate::study::asked::stop_criteria::Stage;
+use crate::study::asked::stop_criteria::{Bound, Stage};
 use crate::study::initial::error::NotPrepared;
 use crate::study::initial::prepared::{Prepared, prepared};
 use std::sync::Arc;
@@ -123,7 +123,9 @@ pub(super) fn on_meshes(
             }
         }
     }
-    let stopped = limits.stop.reached_bound(Stage::Path).map(GivenUp::Stopped);
+    // who interrupts it knows that he did
+    let stopped = limits.stop.reached_bound(Stage::Path).filter(|bound| *bound != Bound::Interrupted);
+    let stopped = stopped.map(GivenUp::Stopped);
     let Meshes { mut iterations, mut unfinished, far, mut wholes, budget, .. } = meshes;
     if let Some(best) = best.as_mut().filter(|best| best.worst() > 1.0) {
         best.confirm(&wholes);

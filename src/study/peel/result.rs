@@ -245,7 +245,7 @@ pub enum GivenUp {
     /// [`crate::study::Patience::Usual`]
     #[error(", or bounds.time = \"60 s\": this run was given up after a hundred times the usual work")]
     Work,
-    /// What the caller knows: the time, an interruption.
+    /// What the caller knows: the time.
     #[error(", or more time: {0} ended the search for a better mesh")]
     Stopped(Bound),
 }
