@@ -17,8 +17,9 @@ pub struct Point<T, const F: usize> {
     /// Their derivatives with respect to S.
     pub slope: [T; F],
     /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
-    /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a viscous material: the strains from which the step strains, three in the plane and six in space, and the factor of its stiffness; in the
-    /// plane also the distance from which the face opens, nm, and c of the step, 1/time.
+    /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a viscous material: the strains from
+    /// which the step strains, three in the plane and six in space, and the factor of its stiffness; in the plane also the distance from which the
+    /// face opens, nm, and c of the step, 1/time.
     pub memory: [T; MEMORY],
 }
 

@@ -90,6 +90,8 @@ const TURNING: f64 = 0.5;
 /// changes.
 const SLIP_SPACING: f64 = 1.0 / 24.0;
 const OPENING_SPACING: f64 = 1.0 / 96.0;
+/// Most remembered openings: each point of a path has its own.
+const MOST_OPENINGS: f64 = 20_000.0;
 
 impl PeelModel {
     /// What the solver is given, with elements of order 1 to 8 and a mesh that follows the front, of a model that [`PeelModel::check`]
@@ -276,7 +278,8 @@ impl PeelModel {
     fn face_memory(&self, rest: &ReferenceConfiguration) -> FaceMemory {
         let friction = self.friction_law().map(|law| FaceMemory::Slip(Arc::new(self.not_slid(rest, &law))));
         let nowhere = || {
-            let history = History::new(self.length(), OPENING_SPACING * self.opening_length(), |_| [0.0; MEMORIES]);
+            let spacing = (OPENING_SPACING * self.opening_length()).max(self.length() / MOST_OPENINGS);
+            let history = History::new(self.length(), spacing, |_| [0.0; MEMORIES]);
             self.adhesion.unhealed_law().map_or(FaceMemory::Nothing, |_| FaceMemory::Opening(Arc::new(history)))
         };
         friction.unwrap_or_else(nowhere)
