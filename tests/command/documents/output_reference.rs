@@ -62,6 +62,10 @@ const UPWARD: &[&str] = &["--set", "drive.angle=90 deg", "--set", "bounds.displa
 /// With a peak, a jump, and an end on the planar path.
 const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 
+/// Comes back before the pull, and what it has opened does not heal.
+const CLOSED: &[&str] =
+    &["--set", "adhesion.healing=false", "--set", "drive.steps=[\"lift 1.2 mm\", \"press 0.6 mm\"]"];
+
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed", "--at", "u=30 nm"]]),
@@ -76,6 +80,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-sideways", &[PAST_PEAK]),
     ("strip-sideways", &[UPWARD]),
     ("strip-rolled", &[CUT]),
+    ("double-cantilever", &[CLOSED]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),
 ];

@@ -59,6 +59,8 @@ fn to_first_jump(model: &PeelModel) -> Peel {
 fn as_long_as_nothing_closes_it_is_the_same() {
     for model in [arm(&[]), tape(None)] {
         let [without, with] = [model.clone(), healing(&model)].map(|model| to_first_jump(&model));
+        // sections next to the front of the tape open by little and come back, which changes its peak by less than 1e-9
+        assert_eq!((without.closing().is_some(), with.closing()), (model.strip().unwrap().crack.is_none(), None));
         let peaks = [&without, &with].map(|peel| peel.initiation_peak.unwrap());
         let [a, b] = peaks;
         let off = (a.force - b.force).abs() / (a.force_error + b.force_error);
@@ -84,6 +86,7 @@ fn an_arm_comes_back_in_a_straight_line_and_goes_on_where_it_was_left() {
     let steps = [Step::Lift(3e6), Step::Press(1.5e6), Step::Press(1.4e6)];
     let back = to_first_jump(&arm(&steps));
     assert!(!matches!(back.end, PathEnd::Failed(_)), "{:?}", back.end);
+    assert_eq!(back.closing(), Some(0.0));
     let [left, half, little] = [0, 1, 2].map(|k| back.steps[k].forces.vertical);
     for (force, share) in [(half, 0.5), (little, 0.1 / 3.0)] {
         assert!((force / (share * left) - 1.0).abs() < 4e-3, "{force} {left}");

@@ -116,6 +116,7 @@ pub fn peel(
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
+    lines.extend((!scene.model.adhesion.healing).then(|| ("healing", closing(peel, &units))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.extend(warnings(peel));
     lines.push(("end", end(&peel.end)));
@@ -335,6 +336,17 @@ fn slid(sliding: &Sliding) -> String {
         "at the initiation peak {:.4} nN of at most {:.4} nN; {:.1} of {:.1} nm in contact slide, the free end has slid by {:.4} nm, {:.4} aJ are dissipated",
         sliding.force, sliding.capacity, sliding.sliding, sliding.contact, sliding.free_end, sliding.dissipated
     )
+}
+
+/// Whether what does not heal closes on the way.
+fn closing(peel: &Peel, units: &Units) -> String {
+    match peel.closing() {
+        Some(from) => format!(
+            "none: from u = {} on sections that have let go come back, and are held less",
+            units.length.fixed(from, 6)
+        ),
+        None => "none, and nothing that has let go comes back: one that heals has the same results".to_owned(),
+    }
 }
 
 /// How the beam lies on ground that is not flat, and what is to be said of that ground.

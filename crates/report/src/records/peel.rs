@@ -70,6 +70,7 @@ impl Record for PeelFound<'_> {
         of.sometimes("steps", "with `drive.steps`: the grip after each step before the pull, relative to where it took hold", |found| Some(found.steps()).filter(|steps| !steps.is_empty()));
         of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |found| Some(Ground { contact: found.peel.contact(0)?, largest_force: found.peel.largest_force() }));
         of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |found| found.peel.sliding_at_peak());
+        of.sometimes("closing_nm", "with `adhesion.healing = false`: displacement from which what has opened or slipped comes back; 0 where it did so before the pull, absent where nothing does", |found| found.peel.closing());
         of.sometimes("stations", "with `output.stations` or `--at`: the equilibria at the values that were asked for, a value each", |found| Some(found.stations).filter(|stations| !stations.is_empty()));
         of.sometimes("events", "with `output.events`, `--event` or `--stop-at`: where the events of the user lie, an event each", |found| Some(found.events).filter(|events| !events.is_empty()));
         of.sometimes("out_of_plane", "with `--out-of-plane`: the stability of the path against leaving its plane, grip free to roll", |found| found.out_of_plane);

@@ -140,7 +140,19 @@ impl Peel {
     }
 }
 
-// -- How a beam that friction holds has slid --
+// -- Where what has let go closes, and how a beam that friction holds has slid --
+
+impl Peel {
+    /// The displacement (nm) from which the beam goes by what its face remembers, where what has let go does not heal: there it first closes again.
+    /// Zero where that was before the pull; none where nothing has closed by more than 1e-11 of the work of adhesion of a process zone.
+    pub fn closing(&self) -> Option<f64> {
+        let trace = self.trace.as_ref().filter(|_| !self.model.adhesion.healing)?;
+        let goes_by_it =
+            |at: &Solution| at.at.history.as_ref().is_some_and(|known| known.rows.iter().any(|row| row[0] > 0.0));
+        let first = trace.points.iter().position(|at| goes_by_it(at))?;
+        Some(trace.points[first.saturating_sub(1)].observables.displacement)
+    }
+}
 
 /// The friction on a beam at one equilibrium of its path.
 #[derive(Clone, Debug, PartialEq)]
