@@ -93,15 +93,13 @@ impl Adhesion {
         }
     }
 
-    /// The law by which a face does not heal, with what holds along the ground, if it does not; of a law that is cohesive.
-    pub fn unhealed_law(&self) -> Option<ShearedLaw> {
-        if self.healing {
-            return None;
-        }
-        self.sheared_law().or_else(|| match self.attraction.law(&self.half_space(), self.work, self.strength) {
-            Law::Cohesive(cohesive) => Some(ShearedLaw::sliding(cohesive)),
-            Law::BodyForce | Law::SurfaceTraction | Law::Own(_) => None,
-        })
+    /// The law of a face that is held along the ground, or does not heal, if it is cohesive.
+    pub fn face_law(&self) -> Option<ShearedLaw> {
+        let sliding = || match self.attraction.law(&self.half_space(), self.work, self.strength) {
+            Law::Cohesive(cohesive) if !self.healing => Some(ShearedLaw::sliding(cohesive)),
+            _ => None,
+        };
+        self.sheared_law().or_else(sliding)
     }
 
     /// Whether the Hamaker constant changes nothing: under a cohesive law with a work of adhesion and a strength of its own.

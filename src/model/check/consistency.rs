@@ -95,14 +95,7 @@ fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
         };
         return model.adhesion.shear_work.map_or(Ok(()), error);
     }
-    let beside = [
-        (model.strip().is_none(), "a body that is no strip"),
-        (model.space.is_some(), "`space`"),
-        (!model.ground.substrate.is_flat(), "ground that is not flat"),
-        (model.grip.pretension.is_some(), "`grip.pretension`"),
-        (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),
-    ];
-    none_beside("adhesion.shear_strength", "a shear strength of the adhesion", &beside)
+    none_beside("adhesion.shear_strength", "a shear strength of the adhesion", &beside_law_of_face(model))
 }
 
 /// That what does not heal is a strip on flat ground in the plane under a cohesive law, with the contact moment and without pretension.
@@ -110,15 +103,21 @@ fn healing(model: &PeelModel) -> Result<(), ModelError> {
     if model.adhesion.healing {
         return Ok(());
     }
-    let beside = [
-        (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
+    let is_cohesive = model.adhesion.attraction.is_cohesive();
+    let with = "an adhesion that does not heal";
+    none_beside("adhesion.healing", with, &[(!is_cohesive, "a law of adhesion that is not cohesive")])?;
+    none_beside("adhesion.healing", with, &beside_law_of_face(model))
+}
+
+/// What is not computed with a face that is held along the ground, or does not heal.
+fn beside_law_of_face(model: &PeelModel) -> [(bool, &'static str); 5] {
+    [
         (model.strip().is_none(), "a body that is no strip"),
         (model.space.is_some(), "`space`"),
         (!model.ground.substrate.is_flat(), "ground that is not flat"),
         (model.grip.pretension.is_some(), "`grip.pretension`"),
         (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),
-    ];
-    none_beside("adhesion.healing", "an adhesion that does not heal", &beside)
+    ]
 }
 
 /// That a key is given beside none of these.

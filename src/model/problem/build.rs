@@ -147,18 +147,18 @@ impl PeelModel {
         };
         let mut beam = PlanarBeam {
             memory: self.face_memory(&placement.rest),
-            chain: match (self.adhesion.sheared_law(), self.adhesion.unhealed_law()) {
-                // what adheres holds the free end
-                (Some(sheared), None) => {
-                    three_field(ShearedBeam::<false> { profile, law, sheared }, how.order, [None; 3])
+            chain: match self.adhesion.face_law() {
+                Some(sheared) => {
+                    // what is held along the ground holds the free end
+                    let end = if sheared.is_sliding() { Some(0.0) } else { None };
+                    let pinned_left = [end, None, None];
+                    if self.adhesion.healing {
+                        three_field(ShearedBeam::<false> { profile, law, sheared }, how.order, pinned_left)
+                    } else {
+                        three_field(ShearedBeam::<true> { profile, law, sheared }, how.order, pinned_left)
+                    }
                 }
-                (held, Some(sheared)) => {
-                    let end = if held.is_some() { None } else { Some(0.0) };
-                    three_field(ShearedBeam::<true> { profile, law, sheared }, how.order, [end, None, None])
-                }
-                (None, None) => {
-                    chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order)
-                }
+                None => chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
             },
             length,
             rest: placement.rest,
@@ -276,13 +276,14 @@ impl PeelModel {
 
     /// What the lower face remembers in the stress-free configuration: that it has not slid, or has nowhere been.
     fn face_memory(&self, rest: &ReferenceConfiguration) -> FaceMemory {
-        let friction = self.friction_law().map(|law| FaceMemory::Slip(Arc::new(self.not_slid(rest, &law))));
-        let nowhere = || {
-            let spacing = (OPENING_SPACING * self.opening_length()).max(self.length() / MOST_OPENINGS);
-            let history = History::new(self.length(), spacing, |_| [0.0; MEMORIES]);
-            self.adhesion.unhealed_law().map_or(FaceMemory::Nothing, |_| FaceMemory::Opening(Arc::new(history)))
-        };
-        friction.unwrap_or_else(nowhere)
+        if let Some(law) = self.friction_law() {
+            return FaceMemory::Slip(Arc::new(self.not_slid(rest, &law)));
+        }
+        if self.adhesion.healing {
+            return FaceMemory::Nothing;
+        }
+        let spacing = (OPENING_SPACING * self.opening_length()).max(self.length() / MOST_OPENINGS);
+        FaceMemory::Opening(Arc::new(History::new(self.length(), spacing, |_| [0.0; MEMORIES])))
     }
 
     /// The lower face in the stress-free configuration, which has not slid.

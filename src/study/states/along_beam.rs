@@ -131,19 +131,14 @@ impl<'p> PlanarReader<'p> {
         let (sin, cos) = rotation.sin_cos();
         let closest = beam.substrate.project(x, y);
         let tilt = rotation - closest.sin.atan2(closest.cos);
-        let adhesion = &self.model.adhesion;
-        let (energy, gradient) = match (adhesion.unhealed_law(), adhesion.sheared_law()) {
-            (Some(law), _) => {
+        let (energy, gradient) = match self.model.adhesion.face_law() {
+            Some(law) => {
                 let [distance, slip] = at.history.as_ref().map_or([0.0; 2], |history| history.at(place));
                 let place = [x - place, level];
                 let response = law.response_after(height, place, [sin, cos], Farthest { distance, slip });
                 (response.energy, response.gradient)
             }
-            (None, Some(law)) => {
-                let response = law.response(height, [x - place, level], [sin, cos]);
-                (response.energy, response.gradient)
-            }
-            (None, None) => {
+            None => {
                 let ground = GroundLaw { law: self.model.adhesion.line_law(height), substrate: beam.substrate.clone() };
                 let response = ground.response(height, [x, level], [sin, cos]);
                 (response.energy, response.gradient)

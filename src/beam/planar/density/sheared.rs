@@ -28,7 +28,7 @@ impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
         place: T,
         [x, gap, rotation]: [T; 3],
         height: T,
-        [distance, slip, ..]: [T; MEMORY],
+        [distance, slip]: [T; 2],
     ) -> ShearedResponse<T> {
         let (sin, cos) = rotation.sin_cos();
         self.sheared.response_after(height, [x - place, gap], [sin, cos], Farthest { distance, slip })
@@ -60,8 +60,8 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         let slopes = [dx, gap_slope + station.rise, turn];
         let mut response = stored(&station, value[2], slopes);
         if !REMEMBERS {
-            let nothing = [T::splat(0.0); MEMORY];
-            add(&mut response, &self.adhesion(place, value, station.height, nothing), station.width);
+            let nowhere = [T::splat(0.0); 2];
+            add(&mut response, &self.adhesion(place, value, station.height, nowhere), station.width);
         }
         response
     }
@@ -71,11 +71,11 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     #[inline(always)]
     fn add_remembered<T: Real>(
         &self,
-        &Point { place, value, memory, .. }: &Point<T, 3>,
+        &Point { place, value, memory: [distance, slip, ..], .. }: &Point<T, 3>,
         response: &mut PointResponse<T, 3>,
     ) {
         let station = self.profile.at(place);
-        add(response, &self.adhesion(place, value, station.height, memory), station.width);
+        add(response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
     }
 
     /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
@@ -91,10 +91,7 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
             return (now, 0.0);
         }
-        let energy = |[distance, slip]: [f64; 2]| {
-            let memory = [distance, slip, 0.0, 0.0, 0.0, 0.0, 0.0];
-            self.adhesion(place, value, station.height, memory).energy
-        };
+        let energy = |farthest: [f64; 2]| self.adhesion(place, value, station.height, farthest).energy;
         (now, station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip])))
     }
 
@@ -113,10 +110,15 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         if opening > 0.0 { opening.max((farthest - closed) / range) } else { opening }
     }
 
-    fn adhesion_response(&self, place: f64, value: [f64; 3], memory: [f64; MEMORY]) -> PointResponse<f64, 3> {
+    fn adhesion_response(
+        &self,
+        place: f64,
+        value: [f64; 3],
+        [distance, slip, ..]: [f64; MEMORY],
+    ) -> PointResponse<f64, 3> {
         let station = self.profile.at(place);
         let mut response = PointResponse::zero();
-        add(&mut response, &self.adhesion(place, value, station.height, memory), station.width);
+        add(&mut response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
         response
     }
 
