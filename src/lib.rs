@@ -18,6 +18,7 @@
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+#![warn(unreachable_pub)]
 // sums over fields, nodes and points read as in the equations
 #![allow(clippy::needless_range_loop)]
 
@@ -33,12 +34,17 @@ pub mod study;
 pub mod toe;
 pub mod units;
 
-/// What most programs that peel something need.
+/// What most programs that peel something need: beams and trees of them, setae, and pulls at a rate.
 pub mod prelude {
     pub use crate::adhesion::{Attraction, LineLoad, Substrate};
+    pub use crate::beam::{BeamTree, Branch, BranchingBeam, Viscosity};
     pub use crate::model::{
-        Adhesion, Body, Form, Friction, Grip, Ground, Hold, PeelModel, Pull, Spatula, Step, Strip, StripModel,
+        Adhesion, Body, Form, Friction, Grip, Ground, Hold, MovingMaterial, NormalPull, PeelModel, Pull, Seta,
+        SetaModel, Sideways, Spatula, Step, Strip, StripModel,
     };
     pub use crate::solve::{Path, PathEvent, PathOptions, PathTracer, TraceOptions};
-    pub use crate::study::{Accuracy, PathEnd, Peel, StopCriteria, observed, peel};
+    pub use crate::study::{
+        Accuracy, PathEnd, Peel, PullRate, SetaLoading, SetaOptions, StopCriteria, TimeAccuracy, Until, observed, peel,
+        pull_in_time, pull_off, tip_curve,
+    };
 }

@@ -115,7 +115,7 @@ impl Unit {
 }
 
 /// A length (nm) in the unit that fits it: "4 mm".
-pub fn length_text(length: f64) -> String {
+pub(crate) fn length_text(length: f64) -> String {
     let unit = Unit::fitting(LENGTHS, length.abs());
     // a division by a power of ten may leave a last digit: 15 are enough
     let value = format!("{:.14e}", unit.of(length)).parse().unwrap_or(length);

@@ -85,15 +85,10 @@ impl BondedBeam {
     /// What the beam itself puts against a tilt of its sections under H, GA_s (1 - gH)(1 + H/EA), nN; `held` is the length (nm) from a free end
     /// to where sections cannot tilt, if there is such a place, which adds EI (π/2ℓ)²: less than that does not keep θ = cos(πS/2ℓ), y = 0
     /// from growing.
-    pub fn tilt_resistance(&self, force: f64, held: Option<f64>) -> f64 {
+    pub(crate) fn tilt_resistance(&self, force: f64, held: Option<f64>) -> f64 {
         let Section { shear, bending, .. } = self.section;
         let bulk = shear * self.shortened(force) * (1.0 + force / self.axial(force));
         bulk + held.map_or(0.0, |length| bending * (FRAC_PI_2 / length).powi(2))
-    }
-
-    /// The softening over what the tilt of all sections takes, as [`BondedBeam::tilt_resistance`]: unstable from 1 on.
-    pub fn tilt_ratio(&self, force: f64, held: Option<f64>) -> f64 {
-        over(self.softening, self.tilt_resistance(force, held))
     }
 
     /// The softening M over what a mode takes in a beam of infinite length under H (nN): unstable from 1 on.
@@ -127,7 +122,7 @@ impl BondedBeam {
     }
 
     /// The length of the waves that grow first under H, nm; none where it does not wrinkle.
-    pub fn wavelength(&self, force: f64) -> Option<f64> {
+    pub(crate) fn wavelength(&self, force: f64) -> Option<f64> {
         let (a, shear) = (self.shortened(force), self.section.shear);
         let bending = self.section.bending / (a * a);
         let square =
@@ -188,9 +183,10 @@ mod tests {
     #[test]
     fn sections_tilt_from_the_critical_tension_on() {
         let tension = BEAM.critical_tension().unwrap();
-        assert_relative_eq!(BEAM.tilt_ratio(tension, None), 1.0, max_relative = 1e-14);
+        let resistance = |share: f64| BEAM.tilt_resistance(share * tension, None);
+        assert_relative_eq!(resistance(1.0), BEAM.softening, max_relative = 1e-14);
         assert_relative_eq!(BEAM.ratio(BondedMode::Tilting, tension), 1.0, max_relative = 1e-13);
-        assert!(BEAM.tilt_ratio(0.99 * tension, None) < 1.0 && BEAM.tilt_ratio(1.01 * tension, None) > 1.0);
+        assert!(resistance(0.99) > BEAM.softening && resistance(1.01) < BEAM.softening);
         assert_eq!(BondedBeam { softening: 1.3, ..BEAM }.critical_tension(), Some(0.0));
         let unshearable = Section { shear: 1e9, ..BEAM.section };
         assert_eq!(BondedBeam { section: unshearable, ..BEAM }.critical_tension(), None);

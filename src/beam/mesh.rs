@@ -47,13 +47,13 @@ const WIDE: f64 = 10.0;
 
 impl Focus {
     /// So wide that elements are alike all along a chain: as long as those where a focus of weight 1 has the length `floor`, nm.
-    pub fn everywhere(length: f64, floor: f64) -> Self {
+    pub(crate) fn everywhere(length: f64, floor: f64) -> Self {
         let wide = WIDE * length;
         Self { center: 0.5 * length, length: wide, weight: wide / floor, reach: Reach::Far }
     }
 
     /// How much of F lies between two places for these foci: what elements are shared out by.
-    pub fn between(foci: &[Self], from: f64, to: f64) -> f64 {
+    pub(crate) fn between(foci: &[Self], from: f64, to: f64) -> f64 {
         total(foci, to).0 - total(foci, from).0
     }
 
@@ -91,7 +91,7 @@ impl MeshIntervals {
     }
 
     /// Cut at `breaks`, ascending and inside of [0, length]. Elements are shared out as `wanted` asks for, from place to place.
-    pub fn cut(length: f64, breaks: &[f64], wanted: impl Fn(f64, f64) -> f64) -> Self {
+    pub(crate) fn cut(length: f64, breaks: &[f64], wanted: impl Fn(f64, f64) -> f64) -> Self {
         let mut ends = vec![0.0];
         ends.extend(breaks.iter().filter(|&&place| place > 0.0 && place < length));
         ends.push(length);
@@ -101,12 +101,12 @@ impl MeshIntervals {
     }
 
     /// How many there are: no mesh has fewer elements.
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.shares.len()
     }
 
     /// Elements of each piece: one, and of the others its share, whose fractions go to those that have most of one.
-    pub fn shared_out(&self, elements: usize) -> Vec<usize> {
+    pub(crate) fn shared_out(&self, elements: usize) -> Vec<usize> {
         let spare = elements.saturating_sub(self.count());
         let wanted: Vec<f64> = self.shares.iter().map(|share| share * spare as f64).collect();
         let mut counts: Vec<usize> = wanted.iter().map(|wanted| 1 + *wanted as usize).collect();
@@ -118,7 +118,7 @@ impl MeshIntervals {
     }
 
     /// Elements that a mesh has on each piece. Where its elements do not end where these pieces do, as many elements shared out.
-    pub fn counted(&self, boundaries: &[f64]) -> Vec<usize> {
+    pub(crate) fn counted(&self, boundaries: &[f64]) -> Vec<usize> {
         let rank = |end: &f64| boundaries.binary_search_by(|place| place.total_cmp(end)).ok();
         let inside: Option<Vec<usize>> = self.ends[1..self.count()].iter().map(rank).collect();
         let elements = boundaries.len() - 1;
@@ -129,14 +129,14 @@ impl MeshIntervals {
 
     /// Half as many elements again as a mesh has, on each piece: what one element carries has an error there that the same one on a finer mesh
     /// would share.
-    pub fn refined(&self, boundaries: &[f64]) -> Vec<usize> {
+    pub(crate) fn refined(&self, boundaries: &[f64]) -> Vec<usize> {
         self.counted(boundaries).into_iter().map(|elements| (3 * elements).div_ceil(2)).collect()
     }
 }
 
 /// Ends of so many elements on each of the pieces, graded towards `foci`, equally long in each piece without any; one more than there are
 /// elements. `near` are the ends of a similar mesh, if there is one: where to start looking.
-pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], counts: &[usize], near: &[f64]) -> Vec<f64> {
+pub(crate) fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], counts: &[usize], near: &[f64]) -> Vec<f64> {
     let mut ends = Vec::with_capacity(counts.iter().sum::<usize>() + 1);
     ends.push(0.0);
     for (pair, &elements) in pieces.ends.windows(2).zip(counts) {
@@ -146,7 +146,7 @@ pub fn graded_ends(pieces: &MeshIntervals, foci: &[Focus], counts: &[usize], nea
 }
 
 /// The length that belongs to each node of elements of an order between these boundaries, nm.
-pub fn nodal_lengths(boundaries: &[f64], order: usize) -> Vec<f64> {
+pub(crate) fn nodal_lengths(boundaries: &[f64], order: usize) -> Vec<f64> {
     let mut lengths = vec![0.0; (boundaries.len() - 1) * order + 1];
     for (e, pair) in boundaries.windows(2).enumerate() {
         let share = (pair[1] - pair[0]) / order as f64;

@@ -12,26 +12,21 @@ pub(crate) mod torsion;
 pub(crate) mod varying;
 pub(crate) mod viscosity;
 pub use bonded_beam::{BondedBeam, BondedMode};
-pub use element::basis::{Basis, MOST_ORDER, PerNode};
-pub use element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
-pub use element::integrand::{Integrand, PlanarIntegrand, PointEnergy, PointGradient};
-pub use element::integration::{Element, ElementEnergy, Integration, PiecePoint, Responses};
+pub use element::basis::MOST_ORDER;
+pub use element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+pub use element::integrand::{Integrand, PointEnergy, PointGradient};
+pub use element::integration::{Element, ElementEnergy, Integration, Responses};
 pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
-pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach, graded_ends};
+pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach};
 pub use planar::chain::{
-    Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, KnownStrains, LeastPivot, MOST_FIELDS,
-    NodeState, ROOT, RootVector,
+    Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, KnownStrains, LeastPivot, NodeState, ROOT,
 };
 pub use planar::density::on_ground::BeamOnGround;
 pub use planar::density::reduced::ReducedBeam;
 pub use planar::density::reissner::{ReissnerBeam, ReissnerRod};
-pub use planar::density::viscous::{ElasticSections, Viscous};
 pub use planar::model_end::CollapsedSection;
 pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
-pub use planar::planar_beam::{
-    BeamInertia, FRONT, FaceMemory, FrictionHistory, FrontPosition, PlanarBeam, TIP_ROTATION,
-};
-pub use planar::uniform_chain::elements::UniformChain;
+pub use planar::planar_beam::{BeamInertia, FRONT, FaceMemory, FrontPosition, PlanarBeam, TIP_ROTATION};
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};
 pub use spatial::chain::room::SpatialFactors;
@@ -41,11 +36,10 @@ pub use spatial::rest::{ALONG_X, BranchRest, PlacedRest, RestOutline, SpatialRes
 pub use spatial::rotation;
 pub use spatial::section::branch_sections::{AdheringSections, BranchSections};
 pub use spatial::section::density::SpatialDensity;
-pub use spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 pub use spatial::section::lying_section::LyingSection;
 pub use spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
 pub use spatial::section::strain_memory::SpatialKnownStrains;
-pub use spatial::section_state::{GripReactions, SpatialIntegrals, SpatialSectionPlace, SpatialSectionState};
+pub use spatial::section_state::{SpatialIntegrals, SpatialSectionPlace, SpatialSectionState};
 pub use spatial::spatial_beam::{SpatialBeam, SpatialInertia};
 pub use spatial::tree::beam_tree::BeamTree;
 pub use spatial::tree::branching_beam::{
@@ -53,6 +47,6 @@ pub use spatial::tree::branching_beam::{
 };
 pub use spatial::tree::read::BranchSection;
 pub use stretch_law::{StretchLaw, StretchResponse};
-pub use torsion::{LateralStiffness, torsion_constant, torsion_strain};
+pub use torsion::torsion_constant;
 pub use varying::{BeamGeometry, Profile, SectionGeometry, Varying};
 pub use viscosity::Viscosity;

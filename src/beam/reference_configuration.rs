@@ -54,13 +54,13 @@ impl ReferenceCurve {
     }
 
     /// κ0 at S, 1/nm.
-    pub fn curvature_at(&self, place: f64) -> f64 {
+    pub(crate) fn curvature_at(&self, place: f64) -> f64 {
         let [k0, k1, k2] = self.curvature;
         k0 + place * (k1 + place * k2)
     }
 
     /// θ0 at S, rad.
-    pub fn rotation_at(&self, place: f64) -> f64 {
+    pub(crate) fn rotation_at(&self, place: f64) -> f64 {
         let [k0, k1, k2] = self.curvature;
         self.start[2] + place * (k0 + place * (k1 / 2.0 + place * k2 / 3.0))
     }

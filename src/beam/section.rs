@@ -19,7 +19,7 @@ pub struct Section<T = f64> {
 impl Section {
     /// The same everywhere.
     #[inline(always)]
-    pub fn splat<T: Real>(&self) -> Section<T> {
+    pub(crate) fn splat<T: Real>(&self) -> Section<T> {
         Section { axial: T::splat(self.axial), shear: T::splat(self.shear), bending: T::splat(self.bending) }
     }
 }
@@ -49,7 +49,7 @@ impl Material {
 
     /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:
     /// A = bh (1 + (π/4 - 1) q), I = (bh³/12)(1 + (12π/64 - 1) q).
-    pub fn section(&self, width: f64, height: f64, roundness: f64) -> Section {
+    pub(crate) fn section(&self, width: f64, height: f64, roundness: f64) -> Section {
         let area = height * width * (1.0 + (PI / 4.0 - 1.0) * roundness);
         let second_moment = rectangle_second_moment(height, width) * (1.0 + (12.0 * PI / 64.0 - 1.0) * roundness);
         Section {

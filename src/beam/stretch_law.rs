@@ -49,7 +49,7 @@ impl StretchLaw {
         [("linear", Self::Linear), ("neo-hookean", Self::NeoHookean), ("neo-hookean-wide", Self::NeoHookeanWide)];
 
     /// Whether N is EA Γ1.
-    pub fn is_linear(self) -> bool {
+    pub(crate) fn is_linear(self) -> bool {
         self == Self::Linear
     }
 
@@ -86,7 +86,7 @@ impl StretchLaw {
     }
 
     /// Γ1 under the force N over EA.
-    pub fn strain(self, force_over_axial: f64) -> f64 {
+    pub(crate) fn strain(self, force_over_axial: f64) -> f64 {
         let power = match self {
             Self::Linear => return force_over_axial,
             Self::NeoHookean => 2.0,
@@ -115,7 +115,7 @@ impl StretchLaw {
     }
 
     /// N/Γ1 under the force N, nN.
-    pub fn secant(self, axial: f64, force: f64) -> f64 {
+    pub(crate) fn secant(self, axial: f64, force: f64) -> f64 {
         match self {
             Self::Linear => axial,
             _ if force == 0.0 => axial,
@@ -124,7 +124,7 @@ impl StretchLaw {
     }
 
     /// N Γ1 - w, the complementary energy under the force N, nN.
-    pub fn complementary_energy(self, axial: f64, force: f64) -> f64 {
+    pub(crate) fn complementary_energy(self, axial: f64, force: f64) -> f64 {
         match self {
             Self::Linear => self.energy(axial, force),
             _ => force * self.strain(force / axial) - self.energy(axial, force),

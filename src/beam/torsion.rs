@@ -23,7 +23,7 @@ pub fn torsion_constant(shape: SectionShape, width: f64, height: f64) -> f64 {
 
 /// The largest shear strain of torsion over the twist per length, nm: in the middle of a longer side of a rectangle, at the ends of the shorter
 /// axis of an ellipse.
-pub fn torsion_strain(shape: SectionShape, width: f64, height: f64) -> f64 {
+pub(crate) fn torsion_strain(shape: SectionShape, width: f64, height: f64) -> f64 {
     let (a, b) = (width.max(height), width.min(height));
     match shape {
         // b [1 - (8/π²) Σ 1/(n² cosh(n π a/2b))] over odd n; the term behind these is below 1e-16
@@ -63,7 +63,7 @@ fn of_ellipse(a: f64, b: f64) -> f64 {
 
 /// Of torsion, and of bending along the width.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LateralStiffness {
+pub(crate) struct LateralStiffness {
     /// GJ, nN nm²
     pub torsion: f64,
     /// EI3, of bending along the width, nN nm²
@@ -73,7 +73,7 @@ pub struct LateralStiffness {
 impl LateralStiffness {
     /// Of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm, as [`Material::section`] has it:
     /// J is between those of the two, I3 = (h b³/12)(1 + (12π/64 - 1) q). The factor of the planar bending stiffness has no part in it.
-    pub fn of(material: &Material, width: f64, height: f64, roundness: f64) -> Self {
+    pub(crate) fn of(material: &Material, width: f64, height: f64, roundness: f64) -> Self {
         let torsion_constant = match roundness {
             1.0 => torsion_constant(SectionShape::Ellipse, width, height),
             0.0 => torsion_constant(SectionShape::Rectangle, width, height),

@@ -65,7 +65,7 @@ impl Varying {
     }
 
     /// Its outline.
-    pub fn contour(&self) -> &dyn BeamGeometry {
+    pub(crate) fn contour(&self) -> &dyn BeamGeometry {
         &*self.contour
     }
 
@@ -98,7 +98,7 @@ impl Varying {
     }
 
     /// The beam where its outline is this one.
-    pub fn section_of(&self, outline: &SectionGeometry) -> SectionAt<f64> {
+    pub(crate) fn section_of(&self, outline: &SectionGeometry) -> SectionAt<f64> {
         let SectionGeometry { width, height: [height, slope, bend], roundness, underside } = *outline;
         let rise = 0.5 * slope;
         let section = self.material.section(width, height, roundness);
@@ -130,7 +130,7 @@ impl Profile {
     }
 
     /// The same of another law of its stretch.
-    pub fn stretched(section: Section, stretch: StretchLaw, width: f64, height: f64) -> Self {
+    pub(crate) fn stretched(section: Section, stretch: StretchLaw, width: f64, height: f64) -> Self {
         let compliance = [section.axial.recip(), section.shear.recip()];
         Self::Uniform(SectionAt { section, compliance, width, height, rise: 0.0, curvature: 0.0, stretch })
     }

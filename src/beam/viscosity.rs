@@ -49,7 +49,7 @@ impl Viscosity {
     }
 
     /// What is remembered behind a step: m for a strain ε and the known m_k.
-    pub fn remembered(self, strain: f64, known: f64, per_time: f64) -> f64 {
+    pub(crate) fn remembered(self, strain: f64, known: f64, per_time: f64) -> f64 {
         match self {
             Self::Elastic | Self::KelvinVoigt { .. } => strain,
             Self::StandardLinearSolid { relaxation_time, .. } => {
@@ -59,13 +59,13 @@ impl Viscosity {
     }
 
     /// The same of a body, strain by strain.
-    pub fn remembered_by(self, strains: &[f64], rate: &MaterialRate) -> Vec<f64> {
+    pub(crate) fn remembered_by(self, strains: &[f64], rate: &MaterialRate) -> Vec<f64> {
         let remembered = |(strain, known): (&f64, &f64)| self.remembered(*strain, *known, rate.per_time);
         strains.iter().zip(rate.known.iter()).map(remembered).collect()
     }
 
     /// Energy and power of a body with these energies in the step and at rest, aJ; they are not asked for where nothing flows.
-    pub fn power_in(self, rate: &MaterialRate, energies: impl FnOnce() -> [f64; 2]) -> ViscousPower {
+    pub(crate) fn power_in(self, rate: &MaterialRate, energies: impl FnOnce() -> [f64; 2]) -> ViscousPower {
         if !self.is_viscous() {
             return ViscousPower::default();
         }
@@ -74,7 +74,7 @@ impl Viscosity {
     }
 
     /// Energy and power, from ½ f (ε - m_k)·C (ε - m_k) of the whole body, aJ.
-    pub fn power(self, energy: f64, per_time: f64) -> ViscousPower {
+    pub(crate) fn power(self, energy: f64, per_time: f64) -> ViscousPower {
         match self {
             Self::Elastic => ViscousPower::default(),
             Self::KelvinVoigt { .. } => ViscousPower { stored: 0.0, dissipated: 2.0 * energy * per_time },

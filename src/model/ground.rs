@@ -78,7 +78,7 @@ impl Friction {
     pub const NONE: Self = Self { strength: None, coefficient: 0.0, presliding: None };
 
     /// The law of this friction on a half space, if there is any.
-    pub fn law(&self, half_space: HalfSpace) -> Option<FrictionLaw> {
+    pub(crate) fn law(&self, half_space: HalfSpace) -> Option<FrictionLaw> {
         let Self { strength, coefficient, presliding } = *self;
         strength.map(|strength| FrictionLaw::new(half_space, strength, coefficient, presliding))
     }

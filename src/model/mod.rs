@@ -35,7 +35,7 @@ pub use seta::check::{MOST_FORKS, SetaError};
 pub use seta::normal_pull::{CurvePoint, NormalPull, PullCurve, PullCurveError, Sideways};
 pub use seta::parameters::{Seta, SetaMesh, SetaModel};
 pub use seta::spatulae::SetaOfBeams;
-pub use seta::tip_law::{AdheringTip, TipBranch, TipLaw};
+pub use seta::tip_law::{TipBranch, TipLaw};
 pub use seta::whole_tree::{SetaJoint, SetaTree, SetaTreeError};
 pub use solid::{LongElements, SolidError, SolidSettings};
 pub use solid_spatula::{FineZone, SolidSpatulaError, SolidSpatulaSettings};

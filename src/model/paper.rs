@@ -51,11 +51,6 @@ impl StripModel {
         self.adhesion.line_law(self.strip.height)
     }
 
-    /// As [`PeelModel::bending_length`].
-    pub fn bending_length(&self) -> f64 {
-        PeelModel::from(self).bending_length()
-    }
-
     /// As [`PeelModel::process_length`].
     pub fn process_length(&self) -> f64 {
         PeelModel::from(self).process_length()

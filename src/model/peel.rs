@@ -78,14 +78,14 @@ impl Adhesion {
     }
 
     /// The line load per width on a section of this height, nm.
-    pub fn line_law(&self, height: f64) -> LineLaw {
+    pub(crate) fn line_law(&self, height: f64) -> LineLaw {
         let half_space = self.half_space();
         let law = self.attraction.law(&half_space, self.work, self.strength);
         LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
     }
 
     /// The law with what holds along the ground, if it has a shear strength.
-    pub fn sheared_law(&self) -> Option<ShearedLaw> {
+    pub(crate) fn sheared_law(&self) -> Option<ShearedLaw> {
         let law = self.attraction.law(&self.half_space(), self.work, self.strength);
         match (law, self.shear_strength) {
             (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength, self.shear_work)),
@@ -94,7 +94,7 @@ impl Adhesion {
     }
 
     /// The law of a face that is held along the ground, or does not heal, if it is cohesive.
-    pub fn face_law(&self) -> Option<ShearedLaw> {
+    pub(crate) fn face_law(&self) -> Option<ShearedLaw> {
         let sliding = || match self.attraction.law(&self.half_space(), self.work, self.strength) {
             Law::Cohesive(cohesive) if !self.healing => Some(ShearedLaw::sliding(cohesive)),
             _ => None,
@@ -255,7 +255,7 @@ impl PeelModel {
 
     /// Whether its sections carry a horizontal force: with a grip that is held across a pull straight up, or another pull, or
     /// on ground that is not flat, or when the grip moves along the substrate before.
-    pub fn has_horizontal_force(&self) -> bool {
+    pub(crate) fn has_horizontal_force(&self) -> bool {
         let dragged = self.steps.iter().any(|step| step.moves(Moved::Place));
         dragged
             || self.grip.horizontal == Hold::Fixed
@@ -266,7 +266,7 @@ impl PeelModel {
 
     /// The form in which it can be solved where another is asked for: on ground that is not flat, where it does not slide freely or does not heal,
     /// where its stretch is not linear, and in space with x.
-    pub fn form(&self, asked: Form) -> Form {
+    pub(crate) fn form(&self, asked: Form) -> Form {
         let flat = self.ground.substrate.is_flat() && self.space.is_none();
         let free = self.tangential_stiffness().is_none() && self.adhesion.healing;
         let reducible = flat && free && self.material().stretch.is_linear();
@@ -285,18 +285,18 @@ impl PeelModel {
 
     /// k, the stiffness along the ground of what lies on it, by friction or by the shear strength of a cohesive law, nN/nm³; none where it slides
     /// freely.
-    pub fn tangential_stiffness(&self) -> Option<f64> {
+    pub(crate) fn tangential_stiffness(&self) -> Option<f64> {
         let sheared = || self.adhesion.sheared_law().map(|law| law.stiffness());
         self.friction_law().map(|law| law.stiffness()).or_else(sheared)
     }
 
     /// Length over which a strip that does not slide freely takes over a force along it, (EA/bk)^(1/2), of the free end, nm.
-    pub fn shear_lag_length(&self) -> Option<f64> {
+    pub(crate) fn shear_lag_length(&self) -> Option<f64> {
         self.tangential_stiffness().map(|k| (self.section().axial / (self.free_end().0 * k)).sqrt())
     }
 
     /// The same of a strip that friction holds, which may begin to slide anywhere.
-    pub fn sticking_length(&self) -> Option<f64> {
+    pub(crate) fn sticking_length(&self) -> Option<f64> {
         self.shear_lag_length().filter(|_| self.friction.strength.is_some())
     }
 
@@ -381,7 +381,7 @@ impl PeelModel {
     }
 
     /// Decay length (EI/k)^(1/4) of the free end as a bending beam on the adhesion's stiffness k at rest, nm.
-    pub fn bending_length(&self) -> f64 {
+    pub(crate) fn bending_length(&self) -> f64 {
         (self.section().bending / self.rest_stiffness()).powf(0.25)
     }
 
@@ -391,7 +391,7 @@ impl PeelModel {
     }
 
     /// Decay length (GA_s/k)^(1/2) of the free end as a shear beam on the adhesion's stiffness k at rest, nm.
-    pub fn shear_length(&self) -> f64 {
+    pub(crate) fn shear_length(&self) -> f64 {
         (self.section().shear / self.rest_stiffness()).sqrt()
     }
 
@@ -401,7 +401,7 @@ impl PeelModel {
     }
 
     /// How far the grip goes until it has moved a section by the scale of its gap, or has turned it over the length of the process zone by as much, nm.
-    pub fn first_way(&self) -> f64 {
+    pub(crate) fn first_way(&self) -> f64 {
         let (gap, process) = (self.line_law().gap_scale(), self.process_length());
         gap.min(process).min((gap / process).min(1.0) / self.pull.turn.abs())
     }

@@ -62,12 +62,12 @@ pub enum Moved {
 
 impl Moved {
     /// Whether it is an angle, in rad; else a length, in nm.
-    pub fn is_angle(self) -> bool {
+    pub(crate) fn is_angle(self) -> bool {
         matches!(self, Self::Rotation | Self::Roll | Self::Yaw)
     }
 
     /// Whether it takes a strip out of its plane.
-    pub fn leaves_plane(self) -> bool {
+    pub(crate) fn leaves_plane(self) -> bool {
         matches!(self, Self::Side | Self::Roll | Self::Yaw)
     }
 }
@@ -123,7 +123,7 @@ impl Step {
     }
 
     /// Whether it moves this.
-    pub fn moves(self, what: Moved) -> bool {
+    pub(crate) fn moves(self, what: Moved) -> bool {
         self.motion().is_some_and(|(moved, _)| moved == what)
     }
 }

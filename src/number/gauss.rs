@@ -28,7 +28,7 @@ impl Rule {
 
     /// Points and weights of the integral from `from` to `to`.
     #[inline]
-    pub fn over(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub(crate) fn over(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let width = to - from;
         self.pairs.iter().map(move |&(x, w)| (from + width * x, width * w))
     }

@@ -37,7 +37,7 @@ pub struct Look {
 impl Look {
     /// Whether Newton's method goes on within the bracket.
     #[inline]
-    pub fn is_newton(&self) -> bool {
+    pub(crate) fn is_newton(&self) -> bool {
         self.next == self.newton
     }
 }
@@ -61,7 +61,7 @@ impl Bracket {
     /// # Errors
     /// Where no look of the first hundred does: what is left then.
     #[inline]
-    pub fn newton(
+    pub(crate) fn newton(
         self,
         start: f64,
         function: impl Fn(f64) -> (f64, f64),

@@ -35,7 +35,7 @@ pub enum SolidElement {
 
 impl SolidElement {
     /// Whether its orders are from 1 to 8.
-    pub fn is_offered(self) -> bool {
+    pub(crate) fn is_offered(self) -> bool {
         let offered = |order: usize| (1..=MOST_SOLID_ORDER).contains(&order);
         match self {
             Self::HermiteEdge => true,
@@ -62,7 +62,7 @@ impl SolidElement {
     }
 
     /// Whether it is bilinear off the contact row, so that incompatible modes do it good there.
-    pub fn is_bilinear_inside(self) -> bool {
+    pub(crate) fn is_bilinear_inside(self) -> bool {
         matches!(self, Self::Enriched { .. } | Self::HermiteEdge)
     }
 
@@ -221,17 +221,17 @@ pub(crate) struct Shape {
 
 impl Shape {
     /// Whether its unknown is u,S: it is then multiplied with half the length of the element.
-    pub fn is_slope(&self) -> bool {
+    pub(crate) fn is_slope(&self) -> bool {
         matches!(self.along, Factor::SlopeFirst | Factor::SlopeSecond)
     }
 
     /// Whether it is an incompatible mode.
-    pub fn is_mode(&self) -> bool {
+    pub(crate) fn is_mode(&self) -> bool {
         self.along == Factor::One || self.through == Factor::One
     }
 
     /// Its factor for an element of this length.
-    pub fn scale(&self, length: f64) -> f64 {
+    pub(crate) fn scale(&self, length: f64) -> f64 {
         if self.is_slope() { 0.5 * length } else { 1.0 }
     }
 }
@@ -259,7 +259,7 @@ pub(crate) enum Factor {
 
 impl Factor {
     /// Its value and its slope.
-    pub fn at(self, t: f64) -> [f64; 2] {
+    pub(crate) fn at(self, t: f64) -> [f64; 2] {
         match self {
             Self::One => [1.0, 0.0],
             Self::First => [0.5 * (1.0 - t), -0.5],

@@ -31,10 +31,10 @@ pub(crate) struct Pivots {
 
 impl Pivots {
     /// Of no pivot.
-    pub const NONE: Self = Self { negative: 0, least: f64::INFINITY, regular: true };
+    pub(crate) const NONE: Self = Self { negative: 0, least: f64::INFINITY, regular: true };
 
     /// With those of another matrix.
-    pub fn and(self, other: Self) -> Self {
+    pub(crate) fn and(self, other: Self) -> Self {
         Self {
             negative: self.negative + other.negative,
             least: self.least.min(other.least),
@@ -49,7 +49,7 @@ const SINGULAR: f64 = 1e-14;
 impl Elimination {
     /// Eliminates the first unknowns of `matrix`, `size` by `size`, row by row; what is left of it, the Schur complement, stays there in the
     /// rows and columns behind.
-    pub fn run(&mut self, matrix: &mut [f64], size: usize, eliminated: usize, symmetric: bool) -> Pivots {
+    pub(crate) fn run(&mut self, matrix: &mut [f64], size: usize, eliminated: usize, symmetric: bool) -> Pivots {
         (self.size, self.eliminated) = (size, eliminated);
         let mut pivots = Pivots::NONE;
         self.lower.clear();
@@ -106,7 +106,7 @@ impl Elimination {
     }
 
     /// A right-hand side taken down: of K, or of Kᵀ.
-    pub fn forward(&self, right: &mut [f64], transposed: bool) {
+    pub(crate) fn forward(&self, right: &mut [f64], transposed: bool) {
         for k in 0..self.eliminated {
             let row = &self.upper[k * self.size..][..self.size];
             if transposed {
@@ -126,7 +126,7 @@ impl Elimination {
     }
 
     /// From a right-hand side that was taken down, with the solution of what was not eliminated, to the whole solution.
-    pub fn backward(&self, right: &mut [f64], transposed: bool) {
+    pub(crate) fn backward(&self, right: &mut [f64], transposed: bool) {
         for k in (0..self.eliminated).rev() {
             let row = &self.upper[k * self.size..][..self.size];
             if transposed {

@@ -50,7 +50,7 @@ pub(crate) struct GripMap {
 
 impl GripMap {
     /// Of a line across a strip with these heights of its rows, nm.
-    pub fn new(grip: SolidGrip, layout: &Layout, heights: &[f64]) -> Self {
+    pub(crate) fn new(grip: SolidGrip, layout: &Layout, heights: &[f64]) -> Self {
         let rows = heights.len() - 1;
         let middle = 0.5 * heights[rows];
         let mut map = Self {
@@ -78,7 +78,7 @@ impl GripMap {
     }
 
     /// Unknowns of the interface.
-    pub fn interface(&self) -> &'static [Unknown] {
+    pub(crate) fn interface(&self) -> &'static [Unknown] {
         match self.grip {
             SolidGrip::Rigid => &NAMES,
             SolidGrip::Parabolic => &NAMES[..1],
@@ -86,7 +86,7 @@ impl GripMap {
     }
 
     /// Unknowns that stay free.
-    pub fn free(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         match self.grip {
             SolidGrip::Rigid => self.slopes.len(),
             SolidGrip::Parabolic => self.line - 1,
@@ -94,12 +94,12 @@ impl GripMap {
     }
 
     /// All unknowns of the grip.
-    pub fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.free() + self.interface().len()
     }
 
     /// Unknowns of the line of those of the grip, into `line`.
-    pub fn place(&self, grip: &[f64], line: &mut [f64]) {
+    pub(crate) fn place(&self, grip: &[f64], line: &mut [f64]) {
         line.fill(0.0);
         let free = self.free();
         match self.grip {
@@ -121,7 +121,7 @@ impl GripMap {
     }
 
     /// Unknowns of the grip of a line, as near to it as the grip can be, of a state on another mesh.
-    pub fn nearest(&self, line: &[f64]) -> Vec<f64> {
+    pub(crate) fn nearest(&self, line: &[f64]) -> Vec<f64> {
         let mut grip: Vec<f64> = match self.grip {
             SolidGrip::Rigid => self.slopes.iter().map(|&k| line[k]).collect(),
             SolidGrip::Parabolic => self.others().map(|k| line[k]).collect(),
@@ -146,7 +146,7 @@ impl GripMap {
     }
 
     /// ∂line/∂grip at these unknowns of the grip, row by row of the line.
-    pub fn jacobian(&self, grip: &[f64]) -> Vec<f64> {
+    pub(crate) fn jacobian(&self, grip: &[f64]) -> Vec<f64> {
         let (free, n) = (self.free(), self.unknowns());
         let mut found = vec![0.0; self.line * n];
         match self.grip {
@@ -173,7 +173,7 @@ impl GripMap {
     }
 
     /// Σ force ∂²line/∂θ² of a rigid face, which belongs to its rotation; zero of other grips.
-    pub fn curvature(&self, grip: &[f64], force: &[f64]) -> f64 {
+    pub(crate) fn curvature(&self, grip: &[f64], force: &[f64]) -> f64 {
         if self.grip != SolidGrip::Rigid {
             return 0.0;
         }
@@ -182,7 +182,7 @@ impl GripMap {
     }
 
     /// Whether it turns.
-    pub fn is_rigid(&self) -> bool {
+    pub(crate) fn is_rigid(&self) -> bool {
         self.grip == SolidGrip::Rigid
     }
 }

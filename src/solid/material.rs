@@ -59,7 +59,7 @@ const CONVERGED: f64 = 1e-15;
 
 impl Elastic {
     /// Of Young's modulus and Poisson's ratio.
-    pub fn new(material: SolidMaterial, plane: Plane, of: &Material) -> Self {
+    pub(crate) fn new(material: SolidMaterial, plane: Plane, of: &Material) -> Self {
         let Material { youngs_modulus, poissons_ratio, .. } = *of;
         let shear = youngs_modulus / (2.0 * (1.0 + poissons_ratio));
         let lame = youngs_modulus * poissons_ratio / ((1.0 + poissons_ratio) * (1.0 - 2.0 * poissons_ratio));
@@ -72,7 +72,7 @@ impl Elastic {
 
     /// At this deformation gradient; not finite where that is not one of a body, det F ≤ 0.
     #[inline]
-    pub fn at(&self, gradient: [f64; 4]) -> Stress {
+    pub(crate) fn at(&self, gradient: [f64; 4]) -> Stress {
         match self.material {
             SolidMaterial::NeoHookean => self.neo_hookean(gradient),
             SolidMaterial::StVenantKirchhoff => self.st_venant_kirchhoff(gradient),

@@ -32,7 +32,7 @@ pub(crate) struct StripMesh {
 
 impl StripMesh {
     /// Of a length and height (nm), with columns of about the length `along` (nm) and so many rows before it is graded.
-    pub fn new(length: f64, height: f64, along: f64, through: usize, grading: Grading) -> Self {
+    pub(crate) fn new(length: f64, height: f64, along: f64, through: usize, grading: Grading) -> Self {
         let columns = (length / along).round().max(1.0) as usize;
         let even = |whole: f64, parts: usize| -> Vec<f64> {
             (0..=parts).map(|k| if k == parts { whole } else { whole * k as f64 / parts as f64 }).collect()
@@ -53,7 +53,7 @@ impl StripMesh {
     }
 
     /// The same with every column and every row cut in two.
-    pub fn halved(&self) -> Self {
+    pub(crate) fn halved(&self) -> Self {
         let halved = |cuts: &[f64]| -> Vec<f64> {
             let pairs = cuts.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
             pairs.chain(cuts.last().copied()).collect()
@@ -62,32 +62,32 @@ impl StripMesh {
     }
 
     /// Number of columns.
-    pub fn columns(&self) -> usize {
+    pub(crate) fn columns(&self) -> usize {
         self.lines.len() - 1
     }
 
     /// Number of rows.
-    pub fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.heights.len() - 1
     }
 
     /// h, nm
-    pub fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         self.heights[self.rows()]
     }
 
     /// Length of a column, nm.
-    pub fn length_of(&self, column: usize) -> f64 {
+    pub(crate) fn length_of(&self, column: usize) -> f64 {
         self.lines[column + 1] - self.lines[column]
     }
 
     /// Height of a row, nm.
-    pub fn height_of(&self, row: usize) -> f64 {
+    pub(crate) fn height_of(&self, row: usize) -> f64 {
         self.heights[row + 1] - self.heights[row]
     }
 
     /// The column or row of a place between ascending cuts, and the coordinate in it from -1 to 1.
-    pub fn located(cuts: &[f64], place: f64) -> (usize, f64) {
+    pub(crate) fn located(cuts: &[f64], place: f64) -> (usize, f64) {
         let index = cuts.partition_point(|&cut| cut <= place).clamp(1, cuts.len() - 1) - 1;
         let width = cuts[index + 1] - cuts[index];
         (index, (2.0 * (place - cuts[index]) / width - 1.0).clamp(-1.0, 1.0))

@@ -80,7 +80,7 @@ impl SolidStrip {
     }
 
     /// The same on a finer discretisation: one order more of Q(p,q), every column and row cut in two of other elements.
-    pub fn refined(&self) -> Self {
+    pub(crate) fn refined(&self) -> Self {
         let Self { design, held, .. } = *self;
         match design.element {
             SolidElement::Full { along, through } if along.max(through) < MOST_SOLID_ORDER => {
@@ -126,7 +126,7 @@ impl SolidStrip {
     }
 
     /// Length of its longest column, nm.
-    pub fn longest_column(&self) -> f64 {
+    pub(crate) fn longest_column(&self) -> f64 {
         (0..self.mesh.columns()).map(|column| self.mesh.length_of(column)).fold(0.0, f64::max)
     }
 
@@ -172,7 +172,7 @@ impl SolidStrip {
     }
 
     /// Whether no vertex of the contact face is nearer to the ground than 10 r0.
-    pub fn is_detached(&self, values: &[f64]) -> bool {
+    pub(crate) fn is_detached(&self, values: &[f64]) -> bool {
         let cutoff = DETACHED * self.design.ground.equilibrium_distance;
         self.gaps(&self.displacements(values)).into_iter().all(|gap| gap > cutoff)
     }
@@ -311,7 +311,7 @@ pub(crate) struct Field {
 
 impl Field {
     /// F in the order 11, 12, 21, 22.
-    pub fn gradient(&self) -> [f64; 4] {
+    pub(crate) fn gradient(&self) -> [f64; 4] {
         [1.0 + self.along[0], self.through[0], self.along[1], 1.0 + self.through[1]]
     }
 }

@@ -80,7 +80,7 @@ const PANEL_POINTS: usize = 6;
 
 impl RowTable {
     /// Of each row.
-    pub fn of(mesh: &StripMesh, options: &TableOptions) -> Vec<Self> {
+    pub(crate) fn of(mesh: &StripMesh, options: &TableOptions) -> Vec<Self> {
         (0..mesh.rows()).map(|row| Self::new(mesh, row, options)).collect()
     }
 
@@ -170,7 +170,7 @@ pub(crate) struct Layout {
 
 impl Layout {
     /// Of an element on a mesh with its tables.
-    pub fn new(element: SolidElement, mesh: &StripMesh, rows: &[RowTable]) -> Self {
+    pub(crate) fn new(element: SolidElement, mesh: &StripMesh, rows: &[RowTable]) -> Self {
         Self {
             line: element.line(mesh.rows()),
             shared: element.column(mesh.rows()),
@@ -185,27 +185,27 @@ impl Layout {
     }
 
     /// The first function of the line left of a column.
-    pub fn line_start(&self, column: usize) -> usize {
+    pub(crate) fn line_start(&self, column: usize) -> usize {
         column * self.stride()
     }
 
     /// All functions with those of the last line.
-    pub fn functions(&self) -> usize {
+    pub(crate) fn functions(&self) -> usize {
         self.line_start(self.columns) + self.line.len()
     }
 
     /// The first function inside an element.
-    pub fn inner_start(&self, column: usize, row: usize) -> usize {
+    pub(crate) fn inner_start(&self, column: usize, row: usize) -> usize {
         self.line_start(column) + self.front(false) + self.inner[..row].iter().sum::<usize>()
     }
 
     /// Functions of a column's front: those of its left line and the shared ones; with `right` those of its right line behind.
-    pub fn front(&self, right: bool) -> usize {
+    pub(crate) fn front(&self, right: bool) -> usize {
         self.line.len() * if right { 2 } else { 1 } + self.shared
     }
 
     /// Where in a column's front the functions of a shape stand that is not inside an element.
-    pub fn in_front(&self, place: ShapePlace) -> Option<usize> {
+    pub(crate) fn in_front(&self, place: ShapePlace) -> Option<usize> {
         match place {
             ShapePlace::Left(index) => Some(index),
             ShapePlace::Column(index) => Some(self.line.len() + index),
@@ -215,13 +215,13 @@ impl Layout {
     }
 
     /// The function of a place in the front of a column.
-    pub fn of_front(&self, column: usize, place: usize) -> usize {
+    pub(crate) fn of_front(&self, column: usize, place: usize) -> usize {
         let own = self.front(false);
         if place < own { self.line_start(column) + place } else { self.line_start(column + 1) + place - own }
     }
 
     /// The function of a shape of an element.
-    pub fn function(&self, column: usize, row: usize, place: ShapePlace) -> usize {
+    pub(crate) fn function(&self, column: usize, row: usize, place: ShapePlace) -> usize {
         match (place, self.in_front(place)) {
             (_, Some(front)) => self.of_front(column, front),
             (ShapePlace::Inner(index), None) => self.inner_start(column, row) + index,
@@ -230,7 +230,7 @@ impl Layout {
     }
 
     /// The function of a line that is the vertex between two rows.
-    pub fn vertex(&self, row: usize) -> usize {
+    pub(crate) fn vertex(&self, row: usize) -> usize {
         let is_vertex = |f: &LineFunction| f.row == row && f.bubble.is_none() && !f.slope;
         self.line.iter().position(is_vertex).unwrap_or(0)
     }

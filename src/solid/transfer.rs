@@ -30,7 +30,7 @@ fn looks(factor: Factor) -> Option<Vec<Look>> {
 
 impl SolidStrip {
     /// The state that has the displacements of one of another strip of the same length and height, as far as this one can have them.
-    pub fn state_of(&self, other: &Self, at: &State) -> State {
+    pub(crate) fn state_of(&self, other: &Self, at: &State) -> State {
         let all = other.displacements(&at.values);
         let values = self.interpolated(|place, height| other.field_at(&all, place, height, false));
         State { values, force: at.force, ..System::stress_free(self, self.mesh.columns()) }

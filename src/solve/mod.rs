@@ -14,27 +14,23 @@ pub(crate) mod workspace;
 pub use error::{Place, Quantity, SolveError};
 pub use frontal::eliminate::Eliminated;
 pub use frontal::end_block::Carry;
-pub use frontal::frontal_matrix::{FrontalMatrix, FrontalRow, Pivots};
-pub use frontal::nodes::{AnyNumber, BUNDLE, Fixed, MOST_NODES, Nodes, slot};
+pub use frontal::frontal_matrix::{FrontalMatrix, FrontalRow};
+pub use frontal::nodes::{Fixed, MOST_NODES, Nodes, slot};
 pub use linear::{Bordered, Tangents};
-pub use newton::on_more_elements;
-pub use newton::{NewtonOptions, Solution, Tangent, damped_step, settle, slopes, solve};
+pub use newton::{NewtonOptions, Solution, Tangent, settle, slopes, solve};
 pub use path::equilibrium_path::Path;
 pub use path::hermite::Hermite;
 pub use path::options::{PathError, PathOptions, Waypoint, controlled};
-pub use path::predictor::{MOST_POINTS, lagrange_weights, longest_step};
+pub use path::predictor::{MOST_POINTS, longest_step};
 pub use path::segment::PathSegment;
 pub use points::bracket::brackets;
 pub use points::branching::locate_branching;
-pub use points::locate::{Located, ROUGH, difference_on_more_elements, locate, solve_on, step_to, unlocated};
+pub use points::locate::{Located, locate};
 pub use points::passing::{FoundValue, Passing, PathNumber, SoughtValue};
-pub use points::search::{BendRule, Bends, FoundLimitPoint, LimitPointKind, LimitPointSearch};
+pub use points::search::LimitPointKind;
 pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
-pub use relax::{
-    Held, RelaxError, RelaxOptions, Relaxation, Relaxed, disturbed, disturbed_anyhow, relax, relax_until,
-    relaxed_on_more_elements,
-};
-pub use state::{History, MEMORIES, MONITORS, Mesh, Observables, PathConstraint, State};
+pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, relax};
+pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, State};
 pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
 pub use workspace::{Pace, ShouldStop, Workspace};

@@ -81,7 +81,7 @@ pub struct Tangent {
 impl Solution {
     /// It on the mesh that it asks for itself: what predictions combine. The mesh of `at` lies where the front was
     /// predicted, and that prediction's error would be noise. `problem` is the one that it solves.
-    pub fn aligned(&self, problem: &Problem) -> &State {
+    pub(crate) fn aligned(&self, problem: &Problem) -> &State {
         self.aligned.get_or_init(|| problem.system.aligned(&self.at, self.observables.monitors))
     }
 
@@ -286,7 +286,7 @@ pub fn settle(
 
 /// A step of Newton's method with the tangent K + `coefficients`, shortened to `most`: how large it was before, relative as in
 /// [`super::System::size`], and the negative eigenvalues of that tangent with the displacement held, and with the force held.
-pub fn damped_step(
+pub(crate) fn damped_step(
     problem: &Problem,
     at: &mut State,
     constraint: &PathConstraint,
@@ -328,10 +328,10 @@ pub fn slopes(
 pub(in crate::solve) const SINGULAR: f64 = 1e-5;
 
 /// Error of a solution, relative as in [`crate::solve::System::size`].
-pub const FINE: f64 = 1e-12;
+pub(crate) const FINE: f64 = 1e-12;
 
 /// The solution on half as many elements again with the same `weights` · observables.
-pub fn on_more_elements(
+pub(crate) fn on_more_elements(
     problem: &Problem,
     coarse: &Solution,
     weights: Observables,

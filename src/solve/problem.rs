@@ -84,12 +84,12 @@ pub enum InitialState {
 
 impl InitialState {
     /// Whether the structure has to settle to the first point of its path.
-    pub fn settles(&self) -> bool {
+    pub(crate) fn settles(&self) -> bool {
         matches!(self, Self::Settling | Self::Known { settling: true, .. })
     }
 
     /// The equilibrium that is known.
-    pub fn known(&self) -> Option<&Arc<State>> {
+    pub(crate) fn known(&self) -> Option<&Arc<State>> {
         if let Self::Known { at, .. } = self { Some(at) } else { None }
     }
 }
@@ -104,7 +104,7 @@ impl Problem {
     }
 
     /// Lets the path start in an equilibrium that has been found: displacements count from there.
-    pub fn start_at(&mut self, at: Arc<State>) {
+    pub(crate) fn start_at(&mut self, at: Arc<State>) {
         self.grip.origin = self.system.interface_values(&at);
         self.start = InitialState::Known { at, settling: self.start.settles() };
     }
@@ -169,7 +169,7 @@ impl Direction {
     }
 
     /// Components across and along the drive, of those along x and y.
-    pub fn turned(self, x: f64, y: f64) -> (f64, f64) {
+    pub(crate) fn turned(self, x: f64, y: f64) -> (f64, f64) {
         (self.up * x - self.along * y, self.along * x + self.up * y)
     }
 
@@ -220,7 +220,7 @@ impl EndConditions {
     }
 
     /// Scale of an error of the displacement.
-    pub fn displacement_scale(&self) -> f64 {
+    pub(crate) fn displacement_scale(&self) -> f64 {
         self.scale[self.driven]
     }
 

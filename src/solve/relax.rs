@@ -99,7 +99,7 @@ pub enum RelaxError {
 
 impl RelaxError {
     /// What of it a solver says.
-    pub fn cause(self) -> SolveError {
+    pub(crate) fn cause(self) -> SolveError {
         match self {
             Self::Stuck { cause, .. } => cause,
             Self::Endless { steps, .. } => SolveError::NotConverged { update: f64::NAN, iterations: steps },
@@ -133,7 +133,7 @@ pub fn disturbed(problem: &Problem, limit: &Solution) -> State {
 }
 
 /// An equilibrium disturbed a little, with a part in any critical direction.
-pub fn disturbed_anyhow(problem: &Problem, at: &State) -> State {
+pub(crate) fn disturbed_anyhow(problem: &Problem, at: &State) -> State {
     let mut disturbed = at.clone();
     problem.system.retract(&mut disturbed, &problem.system.disturbance(at, DISTURBED), 1.0);
     disturbed
@@ -155,7 +155,7 @@ pub fn relax(
 
 /// How a relaxation that is watched ends.
 #[derive(Clone, Debug)]
-pub enum Relaxation {
+pub(crate) enum Relaxation {
     /// In a stable equilibrium.
     Rest(Box<Relaxed>),
     /// On its way, where the watch said so.
@@ -172,7 +172,7 @@ pub enum Relaxation {
 }
 
 /// The same up to the first state on the way that `leaves`.
-pub fn relax_until(
+pub(crate) fn relax_until(
     problem: &Problem,
     start: State,
     held: Held,
@@ -238,7 +238,7 @@ pub fn relax_until(
 }
 
 /// The equilibrium at the displacement of a stable one on half as many elements again: by Newton's method, or relaxed where that leads nowhere from there.
-pub fn relaxed_on_more_elements(
+pub(crate) fn relaxed_on_more_elements(
     problem: &Problem,
     coarse: &Solution,
     ws: &mut Workspace,

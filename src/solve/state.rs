@@ -34,7 +34,7 @@ pub struct State {
     pub history: Option<Arc<History>>,
 }
 
-/// What material points remember: [`MEMORIES`] numbers at each place of a grid that no mesh moves. Between its places they are
+/// What material points remember: `MEMORIES` numbers at each place of a grid that no mesh moves. Between its places they are
 /// interpolated by cubics. What the numbers are, their system says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct History {
@@ -47,7 +47,7 @@ pub struct History {
 }
 
 /// How many numbers a material point may remember.
-pub const MEMORIES: usize = 4;
+pub(crate) const MEMORIES: usize = 4;
 /// Fewest and most steps from place to place.
 const FEWEST: usize = 16;
 const MOST: usize = 100_000;
@@ -80,7 +80,10 @@ impl History {
     }
 
     /// Behind a step: `update` gives, for S and its numbers, those of now and an energy per length, nN; the integral of this along the body, aJ.
-    pub fn updated(&self, mut update: impl FnMut(f64, [f64; MEMORIES]) -> ([f64; MEMORIES], f64)) -> (Self, f64) {
+    pub(crate) fn updated(
+        &self,
+        mut update: impl FnMut(f64, [f64; MEMORIES]) -> ([f64; MEMORIES], f64),
+    ) -> (Self, f64) {
         let (mut next, mut energy) = (self.clone(), 0.0);
         let last = self.rows.len() - 1;
         for (k, row) in next.rows.iter_mut().enumerate() {
@@ -137,7 +140,7 @@ impl Observables {
     }
 
     /// Whether every component is a finite number.
-    pub fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         let Self { monitors: [first, second], displacement, force, recorded, roll } = *self;
         [first, second, displacement, force, recorded, roll].iter().all(|number| number.is_finite())
     }
@@ -154,7 +157,7 @@ impl Observables {
     }
 
     /// The sum with another.
-    pub fn plus(&self, other: &Self) -> Self {
+    pub(crate) fn plus(&self, other: &Self) -> Self {
         self.since(&other.times(-1.0))
     }
 
@@ -180,7 +183,7 @@ pub struct PathConstraint {
 }
 
 /// Σ wᵢ xᵢ of lists of numbers that are equally long.
-pub fn weighted_sum(states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
+pub(crate) fn weighted_sum(states: &[&[f64]], weights: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; states.first().map_or(0, |state| state.len())];
     for (state, weight) in states.iter().zip(weights) {
         sum.iter_mut().zip(*state).for_each(|(sum, value)| *sum += weight * value);

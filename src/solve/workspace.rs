@@ -31,7 +31,7 @@ pub struct Workspace {
 
 impl Workspace {
     /// One in which no solve is begun once `should_stop` says so: it is [`crate::solve::SolveError::Stopped`].
-    pub fn until(should_stop: Option<ShouldStop>) -> Self {
+    pub(crate) fn until(should_stop: Option<ShouldStop>) -> Self {
         Self { factors: None, should_stop, pace: Pace::Quick }
     }
 
@@ -51,7 +51,7 @@ impl Workspace {
     }
 
     /// Whether no solve is to be begun.
-    pub fn is_stopped(&self) -> bool {
+    pub(crate) fn is_stopped(&self) -> bool {
         self.should_stop.as_ref().is_some_and(|should_stop| should_stop())
     }
 

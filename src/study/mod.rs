@@ -16,9 +16,9 @@ pub use crate::solve::points::passing::Passing;
 pub use crate::solve::points::tracer::{RodFailure, RodLimitPoint, RodPath, follow_rod};
 /// Order of the elements with which a point is followed.
 pub use asked::accuracy::{ACCURACY_NUMBERS, Accuracy, Choice, ORDER as FOLLOWED_ORDER};
-pub use asked::events::{EventAction, EventAt, EventQuantity, OfFields, StationAt, StationQuantity};
+pub use asked::events::{EventAction, EventAt, EventQuantity, StationAt, StationQuantity};
 pub use asked::locator::StationErrors;
-pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCheck, StopCriteria, StopReason};
+pub use asked::stop_criteria::{Bound, FollowedUntil, Patience, Stage, StopCriteria, StopReason};
 pub use asked::terms::{KeptReason, LeftOut, NotEstimated, Term, TermDecisions, Terms};
 pub use displacement_controlled_test::observed::{NoTest, no_test, observed, observed_retreat};
 pub use displacement_controlled_test::result::{
@@ -30,8 +30,8 @@ pub use displacement_controlled_test::stable_branch::{
     Balance, BranchError, LeftModel, LoadingDirection, ModelLimit, TestError, TestFailure,
 };
 pub use in_time::pull::{
-    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, InTimeStation, PullInTime, PullRate, PullStart,
-    TimeAccuracy, Until, pull_in_time, pull_in_time_from, pull_in_time_with, pull_start,
+    InTimeFailure, InTimeFailureKind, InTimePeak, InTimePoint, InTimeStation, PullInTime, PullRate, TimeAccuracy,
+    Until, pull_in_time, pull_in_time_with,
 };
 pub use in_time::seta::{
     SetaInTime, SetaInTimeEvent, SetaInTimeFailure, SetaInTimeFailureKind, SetaInTimePoint, SetaInTimeStation,
@@ -48,7 +48,7 @@ pub use out_of_plane::width_range::{WidthLimit, WidthRange};
 pub use parameters::fit::curves::measured_curve::{MeasuredCurve, MeasuredJump, MeasuredPoint};
 pub use parameters::fit::curves::pulled_curve::PulledCurve;
 pub use parameters::fit::problem::{
-    CurveBy, CurveOf, DisplacementError, FitCurve, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
+    CurveBy, DisplacementError, FitCurve, FitOptions, FitParameter, FitProblem, Loss, ModelOf, ParameterOf,
     ProfileChoice,
 };
 pub use parameters::fit::result::{
@@ -79,7 +79,7 @@ pub use peel::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoi
 pub use seta::converged_peak::{ConvergedPeak, SetaResult, converged_peak};
 pub use seta::loading::{SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd};
 pub use seta::of_beams::finer_peak::peak_of_beams_on_finer_mesh;
-pub use seta::of_beams::progress::{BeamsProgress, BeamsPullOff, SeeBeams};
+pub use seta::of_beams::progress::{BeamsProgress, BeamsPullOff};
 pub use seta::of_beams::run::pull_off_of_beams;
 pub use seta::result::{
     EventCause, SetaEffort, SetaEnd, SetaEvent, SetaFailure, SetaMoment, SetaProgress, SetaPullOff, SetaStation,

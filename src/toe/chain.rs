@@ -28,7 +28,7 @@ impl BandSection {
 
 /// A tree of nodes with its factors.
 #[derive(Clone, Debug)]
-pub struct Chain {
+pub(crate) struct Chain {
     /// The node behind each; the root has none
     behind: Vec<Option<usize>>,
     /// The nodes before each
@@ -50,7 +50,7 @@ pub struct Chain {
 
 impl Chain {
     /// A node after another, each joined to one that is added later by [`Chain::join`].
-    pub fn of_nodes(nodes: usize) -> Self {
+    pub(crate) fn of_nodes(nodes: usize) -> Self {
         let zero = vec![Matrix3::zeros(); nodes];
         Self {
             behind: vec![None; nodes],
@@ -67,7 +67,7 @@ impl Chain {
     }
 
     /// A piece of a band from `node` to `behind`, which has a higher number and lies `along` (nm, of either sign) farther along the ground.
-    pub fn join(&mut self, node: usize, behind: usize, along: f64, section: &BandSection) {
+    pub(crate) fn join(&mut self, node: usize, behind: usize, along: f64, section: &BandSection) {
         debug_assert!(node < behind && self.behind[node].is_none());
         let (length, towards) = (along.abs(), along.signum());
         let (ea, ei) = (section.axial / length, section.bending / length.powi(3));
@@ -81,17 +81,17 @@ impl Chain {
     }
 
     /// How many nodes.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.own.len()
     }
 
     /// Sets what holds a node, without a new elimination.
-    pub fn set_held(&mut self, node: usize, held: Matrix3<f64>) {
+    pub(crate) fn set_held(&mut self, node: usize, held: Matrix3<f64>) {
         self.held[node] = held;
     }
 
     /// Eliminates all, or what has changed with one node. False where a pivot is zero or none.
-    pub fn eliminate(&mut self, changed: Option<usize>) -> bool {
+    pub(crate) fn eliminate(&mut self, changed: Option<usize>) -> bool {
         match changed {
             None => (0..self.nodes()).all(|node| self.eliminate_one(node)),
             Some(node) => {
@@ -125,7 +125,7 @@ impl Chain {
     }
 
     /// Places of all nodes under forces on them, nm and rad; forces are replaced.
-    pub fn solve(&self, forces: &mut [Vector3<f64>]) {
+    pub(crate) fn solve(&self, forces: &mut [Vector3<f64>]) {
         for node in 0..self.nodes() {
             if let Some(behind) = self.behind[node]
                 && forces[node] != Vector3::zeros()
@@ -141,7 +141,7 @@ impl Chain {
     }
 
     /// Elastic energy of the bands alone, aJ. By the strains of each piece: places alone would cancel where a band moves without bending.
-    pub fn energy(&self, places: &[Vector3<f64>]) -> f64 {
+    pub(crate) fn energy(&self, places: &[Vector3<f64>]) -> f64 {
         let mut out = 0.0;
         for (node, piece) in self.pieces.iter().enumerate() {
             let (Some((along, section)), Some(behind)) = (piece, self.behind[node]) else { continue };

@@ -12,7 +12,7 @@ use std::collections::BinaryHeap;
 
 /// What a seta does next as the root moves on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NextExit {
+pub(crate) struct NextExit {
     /// Sheet that is left
     pub from: usize,
     /// Sheet that is reached; the number of sheets is the detached one
@@ -42,7 +42,7 @@ impl PartialOrd for Waiting {
 
 /// Setae at one place.
 #[derive(Clone, Debug)]
-pub struct Cluster {
+pub(crate) struct Cluster {
     law: RootLaw,
     /// Of the exit of each sheet
     normals: Vec<[f64; 2]>,
@@ -61,7 +61,7 @@ pub struct Cluster {
 
 impl Cluster {
     /// All of them adhering.
-    pub fn new(law: &RootLaw, setae: Vec<RootOffset>) -> Self {
+    pub(crate) fn new(law: &RootLaw, setae: Vec<RootOffset>) -> Self {
         let sheets = law.sheets();
         let mut out = Self {
             law: law.clone(),
@@ -78,22 +78,22 @@ impl Cluster {
     }
 
     /// How many setae it has.
-    pub fn setae(&self) -> usize {
+    pub(crate) fn setae(&self) -> usize {
         self.setae.len()
     }
 
     /// How many adhere, on whatever sheet.
-    pub fn adhering(&self) -> usize {
+    pub(crate) fn adhering(&self) -> usize {
         self.setae.len() - self.counts[self.counts.len() - 1]
     }
 
     /// Energy, force and stiffness of all together, with the root at a place, nm.
-    pub fn response(&self, root: [f64; 2]) -> RootResponse {
+    pub(crate) fn response(&self, root: [f64; 2]) -> RootResponse {
         if self.adhering() == 0 { RootResponse::default() } else { self.total.response(root) }
     }
 
     /// The first change as the root moves from a place along a direction. Negative where it should have happened before.
-    pub fn next(&mut self, root: [f64; 2], direction: [f64; 2]) -> Option<NextExit> {
+    pub(crate) fn next(&mut self, root: [f64; 2], direction: [f64; 2]) -> Option<NextExit> {
         let mut first: Option<NextExit> = None;
         let mut take = |from, to, ahead: f64| {
             if first.is_none_or(|known| ahead < known.ahead) {
@@ -125,7 +125,7 @@ impl Cluster {
     }
 
     /// Lets the setae that are next, and all that are where they are, change their sheet. What they are.
-    pub fn change(&mut self, exit: &NextExit) -> Vec<u32> {
+    pub(crate) fn change(&mut self, exit: &NextExit) -> Vec<u32> {
         let forwards = exit.to > exit.from;
         let mut changed = Vec::new();
         let Some(place) = self.first_of(exit.from, forwards) else { return changed };
@@ -143,7 +143,7 @@ impl Cluster {
     }
 
     /// Energy that setae release as they change their sheet with the root at a place, aJ.
-    pub fn released(&self, setae: &[u32], exit: &NextExit, root: [f64; 2]) -> f64 {
+    pub(crate) fn released(&self, setae: &[u32], exit: &NextExit, root: [f64; 2]) -> f64 {
         let energy = |seta: u32, sheet: usize| self.potential(seta as usize, sheet).response(root).energy;
         setae.iter().map(|&seta| energy(seta, exit.from) - energy(seta, exit.to)).sum()
     }

@@ -16,7 +16,7 @@ const MOST_CHANGES: usize = 4;
 /// Events from one balance of energies to the next.
 const BALANCED: usize = 256;
 /// Events after which it is asked whether to stop.
-pub const ASKED: usize = 64;
+pub(crate) const ASKED: usize = 64;
 
 /// Setae change their sheet.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -94,7 +94,7 @@ pub struct Followed {
 
 /// Nodes with setae, and the loads on them.
 #[derive(Clone, Debug)]
-pub struct LoadedArray {
+pub(crate) struct LoadedArray {
     /// The bands
     pub chain: Chain,
     /// Of each node, none where no setae stand
@@ -124,13 +124,13 @@ struct Line {
 
 impl LoadedArray {
     /// Nodes with setae, without loads.
-    pub fn new(chain: Chain, clusters: Vec<Option<Cluster>>, rows: Vec<usize>) -> Self {
+    pub(crate) fn new(chain: Chain, clusters: Vec<Option<Cluster>>, rows: Vec<usize>) -> Self {
         let at_rest = vec![RootResponse::default(); chain.nodes()];
         Self { chain, clusters, rows, grows: Vec::new(), stays: Vec::new(), held_along: None, at_rest }
     }
 
     /// With a load at a node that grows, and one that stays there.
-    pub fn loaded(mut self, node: usize, grows: Vector3<f64>, stays: [f64; 3]) -> Self {
+    pub(crate) fn loaded(mut self, node: usize, grows: Vector3<f64>, stays: [f64; 3]) -> Self {
         self.grows = vec![(node, grows)];
         self.stays = vec![(node, Vector3::from(stays))];
         self
@@ -140,7 +140,7 @@ impl LoadedArray {
     ///
     /// # Errors
     /// A singular stiffness, numbers that are not finite, setae that change to and fro, or what stays being too much.
-    pub fn follow(mut self, most: usize, stopped: &dyn Fn() -> bool) -> Result<Followed, ArrayFailure> {
+    pub(crate) fn follow(mut self, most: usize, stopped: &dyn Fn() -> bool) -> Result<Followed, ArrayFailure> {
         let setae: usize = self.clusters.iter().flatten().map(Cluster::setae).sum();
         let mut out =
             Followed { events: Vec::new(), peak: 0, at_peak: Vec::new(), end: ArrayEnd::Detached, imbalance: 0.0 };
@@ -254,7 +254,7 @@ impl LoadedArray {
     ///
     /// # Errors
     /// A singular stiffness.
-    pub fn places_under(&mut self, loads: &[(usize, Vector3<f64>)]) -> Result<Vec<Vector3<f64>>, ArrayFailure> {
+    pub(crate) fn places_under(&mut self, loads: &[(usize, Vector3<f64>)]) -> Result<Vec<Vector3<f64>>, ArrayFailure> {
         (0..self.chain.nodes()).for_each(|node| self.hold(node));
         if !self.chain.eliminate(None) {
             return Err(ArrayFailure::Singular { events: 0 });

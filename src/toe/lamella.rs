@@ -34,7 +34,7 @@ pub enum ArrayDrive {
 
 impl ArrayDrive {
     /// Its force along the ground and off it, and its moment, for a load of one.
-    pub fn unit(&self) -> Vector3<f64> {
+    pub(crate) fn unit(&self) -> Vector3<f64> {
         match self {
             // a right angle is exact: nothing then pulls along the ground
             Self::Force { angle } if *angle == std::f64::consts::FRAC_PI_2 => Vector3::new(0.0, 1.0, 0.0),
@@ -144,7 +144,7 @@ impl Lamella {
     ///
     /// # Errors
     /// As of [`Lamella::follow`].
-    pub fn follow_until(
+    pub(crate) fn follow_until(
         &self,
         drive: ArrayDrive,
         stays: [f64; 3],
@@ -161,7 +161,7 @@ impl Lamella {
     ///
     /// # Errors
     /// What [`Lamella::check`] refuses, and a singular stiffness.
-    pub fn shares(&self, sheared: usize) -> Result<Vec<[f64; 2]>, ArrayError> {
+    pub(crate) fn shares(&self, sheared: usize) -> Result<Vec<[f64; 2]>, ArrayError> {
         self.check()?;
         let (mut array, pulled) = self.array();
         let node = (0..array.chain.nodes()).find(|&node| array.clusters[node].is_some() && array.rows[node] == sheared);
@@ -183,7 +183,7 @@ impl Lamella {
     /// lifted. It is sheared at a row, and lifted where it is pulled.
     ///
     /// # Errors
-    /// As of [`Lamella::shares`]; a law without stiffness along the ground.
+    /// As of `Lamella::shares`; a law without stiffness along the ground.
     pub fn critical_angle(&self, of_a_seta: f64, sheared: usize) -> Result<f64, ArrayError> {
         if !self.law.carries_shear() {
             return Err(ArrayError::NoShear);
@@ -240,7 +240,7 @@ impl Lamella {
 }
 
 /// Sheet of each seta, row by row, after events.
-pub fn sheets_after(rows: usize, columns: usize, events: &[ArrayEvent]) -> Vec<u8> {
+pub(crate) fn sheets_after(rows: usize, columns: usize, events: &[ArrayEvent]) -> Vec<u8> {
     let mut on = vec![0; rows * columns];
     for event in events {
         event.setae.iter().for_each(|&seta| on[event.row * columns + seta as usize] = event.sheets[1] as u8);

@@ -143,7 +143,7 @@ impl RootLaw {
     }
 
     /// Whether its force is linear in the place of the root, sheet by sheet.
-    pub fn is_linear(&self) -> bool {
+    pub(crate) fn is_linear(&self) -> bool {
         (0..self.sheets()).filter_map(|k| self.sheet(k, 1.0)).all(|sheet| sheet.potential.is_quadratic())
     }
 
@@ -153,7 +153,7 @@ impl RootLaw {
     }
 
     /// Whether it carries a force along the ground.
-    pub fn carries_shear(&self) -> bool {
+    pub(crate) fn carries_shear(&self) -> bool {
         self.stiffness()[0][0] > 0.0
     }
 

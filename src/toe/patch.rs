@@ -88,7 +88,7 @@ impl Patch {
     ///
     /// # Errors
     /// As of [`Patch::follow`].
-    pub fn follow_until(&self, stopped: &dyn Fn() -> bool) -> Result<PatchFollowed, ArrayError> {
+    pub(crate) fn follow_until(&self, stopped: &dyn Fn() -> bool) -> Result<PatchFollowed, ArrayError> {
         self.check()?;
         let mut cluster = Cluster::new(&self.law, self.offsets());
         let mut place = [0.0, -self.press];
@@ -157,7 +157,7 @@ impl Patch {
     }
 
     /// Force of each seta off the ground just before an event, nN, and its sheet.
-    pub fn loads(&self, followed: &PatchFollowed, event: usize) -> Vec<(u8, f64)> {
+    pub(crate) fn loads(&self, followed: &PatchFollowed, event: usize) -> Vec<(u8, f64)> {
         let mut on = vec![0u8; self.rows * self.columns];
         for event in &followed.events[..event] {
             event.setae.iter().for_each(|&seta| on[seta as usize] = event.sheets[1] as u8);

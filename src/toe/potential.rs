@@ -26,10 +26,10 @@ const fn at(i: usize, j: usize) -> usize {
 
 impl Potential {
     /// Zero everywhere; s is 1 nm.
-    pub const ZERO: Self = Self { scale: 1.0, terms: [0.0; TERMS] };
+    pub(crate) const ZERO: Self = Self { scale: 1.0, terms: [0.0; TERMS] };
 
     /// ½ u·K u, with K in nN/nm.
-    pub fn quadratic(stiffness: [[f64; 2]; 2]) -> Self {
+    pub(crate) fn quadratic(stiffness: [[f64; 2]; 2]) -> Self {
         let mut out = Self::ZERO;
         out.terms[at(2, 0)] = 0.5 * stiffness[0][0];
         out.terms[at(1, 1)] = 0.5 * (stiffness[0][1] + stiffness[1][0]);
@@ -38,7 +38,7 @@ impl Potential {
     }
 
     /// c0 + c1 v + c2 v², of the height v of the root alone, in aJ, nN and nN/nm.
-    pub fn of_height(coefficients: [f64; 3]) -> Self {
+    pub(crate) fn of_height(coefficients: [f64; 3]) -> Self {
         let mut out = Self::ZERO;
         (0..3).for_each(|j| out.terms[at(0, j)] = coefficients[j]);
         out
@@ -52,7 +52,7 @@ impl Potential {
     }
 
     /// Of a root that stands `height` (nm) above the others: E(u, v - height).
-    pub fn raised(&self, height: f64) -> Self {
+    pub(crate) fn raised(&self, height: f64) -> Self {
         if height == 0.0 {
             return *self;
         }
@@ -73,7 +73,7 @@ impl Potential {
     }
 
     /// Adds another one, times a number.
-    pub fn add(&mut self, other: &Self, times: f64) {
+    pub(crate) fn add(&mut self, other: &Self, times: f64) {
         for i in 0..=DEGREE {
             for j in 0..=DEGREE - i {
                 let ratio = (self.scale / other.scale).powi((i + j) as i32);
@@ -83,7 +83,7 @@ impl Potential {
     }
 
     /// Whether the force is linear in the place.
-    pub fn is_quadratic(&self) -> bool {
+    pub(crate) fn is_quadratic(&self) -> bool {
         self.terms[at(3, 0)..].iter().all(|&term| term == 0.0)
     }
 

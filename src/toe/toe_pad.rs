@@ -66,7 +66,7 @@ impl Toe {
     ///
     /// # Errors
     /// As of [`Toe::follow`].
-    pub fn follow_until(
+    pub(crate) fn follow_until(
         &self,
         drive: ArrayDrive,
         stays: [f64; 3],
@@ -80,7 +80,7 @@ impl Toe {
     }
 
     /// Rows over all lamellae, and setae in each.
-    pub fn size(&self) -> [usize; 2] {
+    pub(crate) fn size(&self) -> [usize; 2] {
         match self.joined_at {
             Some(_) => [self.lamellae * self.lamella.rows, self.lamella.columns],
             None => [self.lamellae, self.lamella.rows * self.lamella.columns],

@@ -46,7 +46,7 @@ pub struct FrictionLaw {
 
 /// What a material point of a face remembers of its sliding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FrictionState {
+pub(crate) struct FrictionState {
     /// x_b at the end of the last step, nm
     pub place: f64,
     /// s there
@@ -92,7 +92,7 @@ impl FrictionLaw {
     }
 
     /// τ at a gap (nm) and its derivative, GPa and GPa/nm.
-    pub fn limit(&self, gap: f64) -> [f64; 2] {
+    pub(crate) fn limit(&self, gap: f64) -> [f64; 2] {
         let q = self.half_space.equilibrium_distance / gap;
         // the fourth power of (d/d_max)⁶ = 5/q⁶
         let apart = (0.2 * q.powi(6)).powi(-4);
@@ -115,7 +115,7 @@ impl FrictionLaw {
     /// The traction of a face that has gone so far (nm) since the end of the last step, where it had this `mobilisation`, and is
     /// at `gap` now, nm.
     #[inline(always)]
-    pub fn traction<T: Real>(&self, way: T, gap: T, mobilisation: T) -> Traction<T> {
+    pub(crate) fn traction<T: Real>(&self, way: T, gap: T, mobilisation: T) -> Traction<T> {
         let [limit, limit_slope] = gap.each(|gap| self.limit(gap));
         let [mobilisation, mobilisation_slope] =
             way.each_pair(mobilisation, |way, mobilisation| self.mobilisation(way, mobilisation));
@@ -129,7 +129,7 @@ impl FrictionLaw {
 
     /// What a face at `place` and `gap`, nm, remembers behind a step, and what was dissipated on it, nN/nm: the work done on the
     /// contact, its limit taken as the mean of those at both ends of the step, less what is stored there.
-    pub fn remembered(&self, place: f64, gap: f64, before: FrictionState) -> (FrictionState, f64) {
+    pub(crate) fn remembered(&self, place: f64, gap: f64, before: FrictionState) -> (FrictionState, f64) {
         let (way, delta) = (place - before.place, self.presliding);
         let [mobilisation, _] = self.mobilisation(way, before.mobilisation);
         let [limit, _] = self.limit(gap);

@@ -14,7 +14,7 @@ pub struct HalfSpace {
 
 impl HalfSpace {
     /// The half space with this work of adhesion (nN/nm) and this strength (nN/nm²): w/σ is 9 · 15^(1/3)/(16 √5) r0.
-    pub fn of_work_and_strength(work: f64, strength: f64) -> Self {
+    pub(crate) fn of_work_and_strength(work: f64, strength: f64) -> Self {
         let unit = Self { hamaker_constant: 1.0, equilibrium_distance: 1.0 };
         let equilibrium_distance = work / strength * unit.strength() / unit.work_of_adhesion();
         let hamaker_constant = work * equilibrium_distance.powi(2) / unit.work_of_adhesion();
@@ -48,7 +48,7 @@ impl HalfSpace {
 
     /// W, T and b at once.
     #[inline(always)]
-    pub fn levels<T: Real>(&self, r: T) -> [T; 3] {
+    pub(crate) fn levels<T: Real>(&self, r: T) -> [T; 3] {
         [self.potential(r), self.traction(r), self.body_force(r)]
     }
 

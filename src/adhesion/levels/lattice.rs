@@ -5,7 +5,7 @@ use super::pair::LennardJones;
 use std::f64::consts::PI;
 
 /// A place, nm; y away from the substrate.
-pub type LatticeSite = [f64; 3];
+pub(crate) type LatticeSite = [f64; 3];
 
 /// A block of a simple cubic lattice: the centres of `counts` cubes of edge `spacing` (nm) that fill the block above `corner`.
 pub fn cubic_block(corner: LatticeSite, counts: [usize; 3], spacing: f64) -> Vec<LatticeSite> {

@@ -20,7 +20,7 @@ pub enum Barrier {
 impl Barrier {
     /// The distance (nm) of a face from what it cannot pass, above zero wherever it may be: that from a pole itself, above a spring how far the
     /// face is open, and its scale.
-    pub fn clearance(&self, distance: f64) -> f64 {
+    pub(crate) fn clearance(&self, distance: f64) -> f64 {
         match self {
             Self::Pole => distance,
             Self::Spring { closed, scale } => scale + (distance - closed).max(0.0),

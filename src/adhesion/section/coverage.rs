@@ -36,7 +36,7 @@ impl LineLaw {
     /// What a section with this response counts, nN/nm, with its derivatives by the gap (nN/nm²) and by the rotation,
     /// nN/nm. Flat it is Ψ.
     #[inline(always)]
-    pub fn coverage<T: Real>(&self, count: TiltCount, response: &LineResponse<T>, sin: T, cos: T) -> [T; 3] {
+    pub(crate) fn coverage<T: Real>(&self, count: TiltCount, response: &LineResponse<T>, sin: T, cos: T) -> [T; 3] {
         let &LineResponse { energy, by_gap, energy_by_rotation, .. } = response;
         let (share, turned) = match (&self.law, self.line_load) {
             (_, LineLoad::AxisGap) | (Law::Cohesive(_) | Law::Own(_), _) => {

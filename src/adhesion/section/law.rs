@@ -69,7 +69,7 @@ impl Attraction {
     }
 
     /// Whether friction goes with it, whose limit is that of a face in the half space's contact.
-    pub fn takes_friction(self) -> bool {
+    pub(crate) fn takes_friction(self) -> bool {
         self.is_of_half_space()
     }
 
@@ -97,7 +97,7 @@ impl Attraction {
 
     /// The law with its numbers: work of adhesion (nN/nm) and strength (nN/nm²) of a cohesive one, which are else those of its table or the half
     /// space's.
-    pub fn law(self, half_space: &HalfSpace, work: Option<f64>, strength: Option<f64>) -> Law {
+    pub(crate) fn law(self, half_space: &HalfSpace, work: Option<f64>, strength: Option<f64>) -> Law {
         match self {
             Self::BodyForce => Law::BodyForce,
             Self::SurfaceTraction => Law::SurfaceTraction,
@@ -116,7 +116,7 @@ impl Attraction {
 
 impl Law {
     /// Whether force and moment derive from a potential.
-    pub fn has_potential(&self) -> bool {
+    pub(crate) fn has_potential(&self) -> bool {
         match self {
             Self::BodyForce | Self::Cohesive(_) => true,
             Self::SurfaceTraction => false,
@@ -125,7 +125,7 @@ impl Law {
     }
 
     /// Whether the face that looks up may make a difference.
-    pub fn has_far_face(&self) -> bool {
+    pub(crate) fn has_far_face(&self) -> bool {
         matches!(self, Self::BodyForce | Self::SurfaceTraction)
     }
 

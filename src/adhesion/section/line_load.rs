@@ -72,14 +72,14 @@ impl LineLaw {
     }
 
     /// The openings, in ranges of a cohesive law, at which its pieces join, ascending; none of a law that is smooth.
-    pub fn knots(&self) -> &'static [f64] {
+    pub(crate) fn knots(&self) -> &'static [f64] {
         match &self.law {
             Law::Cohesive(cohesive) => cohesive.shape.knots(),
             Law::BodyForce | Law::SurfaceTraction | Law::Own(_) => &[],
         }
     }
 
-    /// The opening that [`Self::knots`] speaks of, of a section of this height (nm) at the gap η (nm) and the rotation
+    /// The opening that `Self::knots` speaks of, of a section of this height (nm) at the gap η (nm) and the rotation
     /// θ; zero of other laws.
     pub fn opening(&self, height: f64, gap: f64, rotation: f64) -> f64 {
         let Law::Cohesive(cohesive) = &self.law else { return 0.0 };
@@ -87,7 +87,7 @@ impl LineLaw {
     }
 
     /// Distance of the face that is bonded where a section of this height (nm) is not tilted, at the gap η (nm) and the rotation θ, nm.
-    pub fn face_distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
+    pub(crate) fn face_distance(&self, height: f64, gap: f64, rotation: f64) -> f64 {
         let lift = if self.line_load == LineLoad::AxisGap { 0.0 } else { 0.5 * height * (1.0 - rotation.cos()) };
         gap + lift
     }
@@ -109,18 +109,18 @@ impl LineLaw {
 
     /// The change of a gap that changes the traction by its own size, nm: r0 of the half space, and of a cohesive law r0 of the half space that
     /// has its work of adhesion and its strength.
-    pub fn gap_scale(&self) -> f64 {
+    pub(crate) fn gap_scale(&self) -> f64 {
         self.law.gap_scale(&self.half_space)
     }
 
     /// What keeps the face that looks down out of the substrate.
-    pub fn barrier(&self) -> Barrier {
+    pub(crate) fn barrier(&self) -> Barrier {
         self.law.barrier(&self.half_space)
     }
 
     /// The distance (nm) up to which a face counts as adhering: 2 r0 from a half space, and from a cohesive law as much farther than it is at
     /// rest as from the half space with its work of adhesion and strength.
-    pub fn adhering_distance(&self) -> f64 {
+    pub(crate) fn adhering_distance(&self) -> f64 {
         match self.barrier() {
             Barrier::Pole => ADHERING * self.gap_scale(),
             Barrier::Spring { closed, scale } => {
@@ -154,7 +154,7 @@ impl LineLaw {
 
     /// The stiffness (nN/nm³) of the flat section by which the length of the process zone is estimated: at rest, of a cohesive law over
     /// its range.
-    pub fn rest_stiffness(&self) -> f64 {
+    pub(crate) fn rest_stiffness(&self) -> f64 {
         match &self.law {
             Law::Cohesive(law) => law.strength / law.range,
             Law::BodyForce | Law::SurfaceTraction => self.response(self.rest_gap(), 0.0, 1.0).gap_gap,
@@ -163,7 +163,7 @@ impl LineLaw {
     }
 
     /// Whether the face that looks up makes a difference.
-    pub fn has_far_face(&self) -> bool {
+    pub(crate) fn has_far_face(&self) -> bool {
         self.far_face && self.law.has_far_face()
     }
 
@@ -181,7 +181,7 @@ impl LineLaw {
 
 /// A cohesive law with an adhesive whose traction grows with the rate of opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RateLaw {
+pub(crate) struct RateLaw {
     /// At rest
     pub law: LineLaw,
     /// What the rate makes of it
@@ -191,7 +191,14 @@ pub struct RateLaw {
 impl RateLaw {
     /// What a section carries besides the load at rest, in a step whose known distance is this one (nm) and whose rate is c (1/ns).
     #[inline(always)]
-    pub fn response<T: Real>(&self, height: T, gap: T, sin: T, cos: T, [known, per_time]: [T; 2]) -> LineResponse<T> {
+    pub(crate) fn response<T: Real>(
+        &self,
+        height: T,
+        gap: T,
+        sin: T,
+        cos: T,
+        [known, per_time]: [T; 2],
+    ) -> LineResponse<T> {
         let Law::Cohesive(cohesive) = &self.law.law else { return LineResponse::zero() };
         let levels = |r: T| {
             let [w, t, b] = cohesive.levels(r);

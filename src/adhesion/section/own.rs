@@ -18,7 +18,7 @@ pub struct TiltedSection {
 }
 
 impl TiltedSection {
-    /// The load of a nominal traction on the face that looks down: [`LineResponse::of_face`]. A law that is a traction against the
+    /// The load of a nominal traction on the face that looks down: `LineResponse::of_face`. A law that is a traction against the
     /// distance of a face needs no more.
     pub fn face_load(&self, levels: impl FnOnce(f64) -> [f64; 3]) -> LineResponse<f64> {
         LineResponse::of_face(levels, self.height, self.gap, self.sin, self.cos)
@@ -75,7 +75,7 @@ impl OwnLaw {
     }
 
     /// The law itself.
-    pub fn law(self) -> &'static dyn SectionLaw {
+    pub(crate) fn law(self) -> &'static dyn SectionLaw {
         self.0
     }
 

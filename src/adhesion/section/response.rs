@@ -37,7 +37,7 @@ impl<T: Real> LineResponse<T> {
     ///
     /// Where the section is upright, cos θ = 0, the face that looks down is another one, and M_c changes its sign.
     #[inline(always)]
-    pub fn of_face(levels: impl FnOnce(T) -> [T; 3], height: T, gap: T, sin: T, cos: T) -> Self {
+    pub(crate) fn of_face(levels: impl FnOnce(T) -> [T; 3], height: T, gap: T, sin: T, cos: T) -> Self {
         Self::of_bonded_face(levels, height, gap, cos.select(sin, -sin), cos.select(cos, -cos))
     }
 

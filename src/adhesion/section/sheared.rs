@@ -36,7 +36,7 @@ const SAME_WORK: f64 = 1e-12;
 
 /// A cohesive law with a shear strength, on level ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShearedLaw {
+pub(crate) struct ShearedLaw {
     /// What opens and presses the face
     pub cohesive: Cohesive,
     /// δ_t, nm
@@ -48,7 +48,7 @@ pub struct ShearedLaw {
 /// Potential and load of a section per length and width, with the tangent, by x, y and θ. The load is minus the gradient, which is that of the
 /// potential where the works are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShearedResponse<T> {
+pub(crate) struct ShearedResponse<T> {
     /// Ψ, nN/nm
     pub energy: T,
     /// How Ψ changes with x, y and θ: minus the load, where that has a potential
@@ -61,7 +61,7 @@ pub struct ShearedResponse<T> {
 
 /// How far a face has been at most, where what lets go does not heal; zero where it has not been anywhere.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Farthest<T> {
+pub(crate) struct Farthest<T> {
     /// Distance of the bonded face from the ground, nm
     pub distance: T,
     /// Slip along the ground, either way, nm
@@ -70,17 +70,17 @@ pub struct Farthest<T> {
 
 impl ShearedLaw {
     /// That of a face that slides freely.
-    pub fn sliding(cohesive: Cohesive) -> Self {
+    pub(crate) fn sliding(cohesive: Cohesive) -> Self {
         Self { cohesive, slip_scale: f64::INFINITY, work_ratio: 1.0 }
     }
 
     /// Whether nothing holds it along the ground.
-    pub fn is_sliding(&self) -> bool {
+    pub(crate) fn is_sliding(&self) -> bool {
         self.slip_scale == f64::INFINITY
     }
 
     /// With this shear strength, nN/nm², and work in shear, nN/nm; none: that of opening.
-    pub fn new(cohesive: Cohesive, shear_strength: f64, shear_work: Option<f64>) -> Self {
+    pub(crate) fn new(cohesive: Cohesive, shear_strength: f64, shear_work: Option<f64>) -> Self {
         let work = cohesive.work();
         // a work that is that of opening but for its rounding is that one
         let shear_work = shear_work.filter(|own| (own / work - 1.0).abs() > SAME_WORK).unwrap_or(work);
@@ -88,37 +88,31 @@ impl ShearedLaw {
     }
 
     /// w_t, nN/nm.
-    pub fn shear_work(&self) -> f64 {
+    pub(crate) fn shear_work(&self) -> f64 {
         self.work_ratio * self.cohesive.work()
     }
 
     /// Whether the load has a potential: where slip takes the work that opening does.
-    pub fn has_potential(&self) -> bool {
+    pub(crate) fn has_potential(&self) -> bool {
         self.work_ratio == 1.0
     }
 
     /// The stiffness along the ground of a closed face that has not slipped, 2 w_t/δ_t², nN/nm³.
-    pub fn stiffness(&self) -> f64 {
+    pub(crate) fn stiffness(&self) -> f64 {
         2.0 * self.shear_work() / self.slip_scale.powi(2)
     }
 
     /// The slip beyond which a thousandth of the shear strength is not reached, nm.
-    pub fn slip_reach(&self) -> f64 {
+    pub(crate) fn slip_reach(&self) -> f64 {
         let slips = Bracket { low: FRAC_1_SQRT_2, high: 10.0 };
         let holds = |slip: f64| (2.0 * E).sqrt() * slip * (-slip * slip).exp() > 1e-3;
         self.slip_scale * slips.bisected(holds, |left| left.width() <= 1e-12 * left.high).high
     }
 
     /// The response of a section of this height (nm) whose axis has slipped by `slip` and lies h/2 above the `gap` (nm), with the rotation θ given as
-    /// its sine and cosine.
-    pub fn response<T: Real>(&self, height: T, place: [T; 2], rotation: [T; 2]) -> ShearedResponse<T> {
-        let zero = T::splat(0.0);
-        self.response_after(height, place, rotation, Farthest { distance: zero, slip: zero })
-    }
-
-    /// The same of a face that has been so far away, and has slipped so far.
+    /// its sine and cosine, and whose face has been so far away and has slipped so far.
     #[inline(never)]
-    pub fn response_after<T: Real>(
+    pub(crate) fn response_after<T: Real>(
         &self,
         height: T,
         [slip, gap]: [T; 2],
@@ -169,7 +163,13 @@ impl ShearedLaw {
     }
 
     /// What a section like that of [`Self::response_after`] has been at most, together with what it was before.
-    pub fn farthest(&self, height: f64, [slip, gap]: [f64; 2], rotation: f64, before: Farthest<f64>) -> Farthest<f64> {
+    pub(crate) fn farthest(
+        &self,
+        height: f64,
+        [slip, gap]: [f64; 2],
+        rotation: f64,
+        before: Farthest<f64>,
+    ) -> Farthest<f64> {
         let (sin, cos) = rotation.sin_cos();
         let (distance, slip) = (gap + 0.5 * height * (1.0 - cos), slip + 0.5 * height * sin);
         let slip = if self.is_sliding() { 0.0 } else { slip.abs() };
@@ -199,7 +199,7 @@ mod tests {
 
     fn at(law: &ShearedLaw, [slip, gap, rotation]: [f64; 3]) -> ShearedResponse<f64> {
         let (sin, cos) = rotation.sin_cos();
-        law.response(HEIGHT, [slip, gap], [sin, cos])
+        law.response_after(HEIGHT, [slip, gap], [sin, cos], Farthest::default())
     }
 
     /// Sixth order differences of energy and gradient, at open and pressed, turned and turned over sections.
@@ -283,7 +283,7 @@ mod tests {
                 law.response_after(HEIGHT, [slip * law.slip_scale, closed + opening * range], [0.0, 1.0], before)
             };
             let there = at([0.8, far]);
-            let virgin = law.response(HEIGHT, [before.slip, before.distance], [0.0, 1.0]);
+            let virgin = law.response_after(HEIGHT, [before.slip, before.distance], [0.0, 1.0], Farthest::default());
             assert_eq!(there, virgin);
             let just_before = at([0.8 - 1e-9, far - 1e-9]);
             for f in 0..3 {

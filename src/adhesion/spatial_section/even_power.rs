@@ -46,7 +46,7 @@ fn sum<T: Real, const N: usize>(coefficients: &[f64; N], z: T) -> T {
 
 impl<const N: usize> EvenPower<N> {
     /// Of the exponent m and the coefficients g_j.
-    pub const fn new(power: f64, g: [f64; N]) -> Self {
+    pub(crate) const fn new(power: f64, g: [f64; N]) -> Self {
         let (by_e, by_y) = (slope(power, &g, 1.0), slope(power, &g, 0.0));
         let (by_ee, by_ye) = (slope(power + 1.0, &by_e, 1.0), slope(power + 1.0, &by_y, 1.0));
         let by_yy = slope(power + 1.0, &by_y, 0.0);
@@ -55,13 +55,13 @@ impl<const N: usize> EvenPower<N> {
 
     /// f. `power` is v^m.
     #[inline(always)]
-    pub fn value<T: Real>(&self, e: T, v: T, power: T) -> T {
+    pub(crate) fn value<T: Real>(&self, e: T, v: T, power: T) -> T {
         power * sum(&self.g, e * v)
     }
 
     /// f, f_y, f_e, f_yy, f_ye, f_ee. `power` is v^m.
     #[inline(always)]
-    pub fn derivatives<T: Real>(&self, y: T, e: T, v: T, power: T) -> [T; 6] {
+    pub(crate) fn derivatives<T: Real>(&self, y: T, e: T, v: T, power: T) -> [T; 6] {
         let (z, first) = (e * v, power * v);
         let second = first * v;
         let twice = y * -2.0;

@@ -26,13 +26,13 @@ pub(super) struct OwnFace {
 }
 
 impl OwnFace {
-    pub fn new(law: OwnLaw, height: f64) -> Self {
+    pub(crate) fn new(law: OwnLaw, height: f64) -> Self {
         Self { law, rest_gap: law.law().rest_gap(height) }
     }
 
     /// Ψ of a rectangle of this width and height, nm, with gradient and Hessian.
     #[inline(never)]
-    pub fn response(&self, [width, height]: [f64; 2], y: f64, a: f64, c: f64) -> SpatialSectionResponse {
+    pub(crate) fn response(&self, [width, height]: [f64; 2], y: f64, a: f64, c: f64) -> SpatialSectionResponse {
         let rise = a.abs();
         let face = y - 0.5 * c.abs();
         let at = |s: f64| {

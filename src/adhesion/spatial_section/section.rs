@@ -67,7 +67,7 @@ impl SpatialSection {
     }
 
     /// The outline
-    pub fn shape(&self) -> SectionShape {
+    pub(crate) fn shape(&self) -> SectionShape {
         self.shape
     }
 
@@ -92,7 +92,7 @@ impl SpatialSection {
 
     /// The same for a section of another width and height, nm.
     #[inline(always)]
-    pub fn response_of<T: Real>(&self, [width, height]: [T; 2], y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+    pub(crate) fn response_of<T: Real>(&self, [width, height]: [T; 2], y: T, a: T, c: T) -> SpatialSectionResponse<T> {
         let half_space = &self.law.half_space;
         match &self.form {
             Form::Rectangle => rectangle::response(half_space, width * height, y, a, c),

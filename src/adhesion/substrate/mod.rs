@@ -121,7 +121,7 @@ impl Substrate {
     }
 
     /// About how far (x, y) is above the substrate, nm: along y, or from the centre of a circle.
-    pub fn clearance(&self, x: f64, y: f64) -> f64 {
+    pub(crate) fn clearance(&self, x: f64, y: f64) -> f64 {
         self.surface().clearance(x, y)
     }
 
@@ -131,22 +131,22 @@ impl Substrate {
     }
 
     /// How high it may rise above where a beam lies on it, nm: from valley to crest; zero where it has no valley.
-    pub fn peak_to_valley(&self) -> f64 {
+    pub(crate) fn peak_to_valley(&self) -> f64 {
         self.surface().peak_to_valley()
     }
 
     /// The length in which it changes, nm: no element may be much longer. Infinite where it is the same everywhere.
-    pub fn feature_length(&self) -> f64 {
+    pub(crate) fn feature_length(&self) -> f64 {
         self.surface().feature_length()
     }
 
     /// The convex body that a crest is like.
-    pub fn crest(&self) -> BodyShape {
+    pub(crate) fn crest(&self) -> BodyShape {
         self.surface().crest()
     }
 
     /// What of its numbers do not fit each other.
-    pub fn misfit(&self) -> Option<Misfit> {
+    pub(crate) fn misfit(&self) -> Option<Misfit> {
         self.surface().misfit()
     }
 }

@@ -47,11 +47,11 @@ pub struct Basis {
 }
 
 /// A number for each node or each point.
-pub type PerNode = [f64; MOST_NODES];
+pub(crate) type PerNode = [f64; MOST_NODES];
 
 impl Basis {
     /// The tables of an order from 1 to [`MOST_ORDER`].
-    pub fn new(order: usize) -> Self {
+    pub(crate) fn new(order: usize) -> Self {
         let count = order + 1;
         let zero = [[0.0; MOST_NODES]; MOST_NODES];
         let mut nodes = [0.0; MOST_NODES];
@@ -112,7 +112,7 @@ impl Basis {
 
     /// Derivatives at the nodes, with respect to the local coordinate, of fields given at the nodes.
     #[inline(always)]
-    pub fn differentiate<const F: usize>(
+    pub(crate) fn differentiate<const F: usize>(
         &self,
         nodes: impl Nodes,
         values: &[[f64; F]; MOST_NODES],
@@ -129,12 +129,12 @@ impl Basis {
     }
 
     /// Weight of node `a` in the Gauss-Lobatto rule of the nodes, over the length of the element: ½ ∫ Nₐ dξ.
-    pub fn lobatto_weight(&self, a: usize) -> f64 {
+    pub(crate) fn lobatto_weight(&self, a: usize) -> f64 {
         0.5 * (0..self.order).map(|q| self.weights[q] * self.value[q][a]).sum::<f64>()
     }
 
     /// Values and slopes of all shape functions at the local coordinate `at`.
-    pub fn sample(&self, at: f64) -> (PerNode, PerNode) {
+    pub(crate) fn sample(&self, at: f64) -> (PerNode, PerNode) {
         let nodes = &self.nodes[..self.order + 1];
         let (mut values, mut slopes) = ([0.0; MOST_NODES], [0.0; MOST_NODES]);
         for a in 0..nodes.len() {
@@ -150,7 +150,7 @@ impl Basis {
     }
 
     /// The values alone, likewise.
-    pub fn sample_values(&self, at: f64) -> PerNode {
+    pub(crate) fn sample_values(&self, at: f64) -> PerNode {
         let count = self.order + 1;
         let mut values = [0.0; MOST_NODES];
         for a in 0..count {

@@ -5,7 +5,7 @@ use crate::number::Real;
 use crate::solve::state::MEMORIES;
 
 /// Numbers that a density may remember at a point.
-pub const MEMORY: usize = 7;
+pub(crate) const MEMORY: usize = 7;
 
 /// What is known at a point of the axis, or at four side by side.
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +40,7 @@ pub struct PointResponse<T, const F: usize> {
     pub energy: T,
     /// Its share from adhesion, nN
     pub adhesion: T,
-    /// What the peeling front is counted by, nN: [`crate::adhesion::LineLaw::coverage`] times the width
+    /// What the peeling front is counted by, nN: `LineLaw::coverage` times the width
     pub coverage: T,
     /// ∂φ/∂field
     pub by_value: [T; F],

@@ -73,7 +73,7 @@ pub trait Integrand<const F: usize>: Send + Sync {
 }
 
 /// An [`EnergyDensity`] of a planar beam without its type: every one is one.
-pub trait PlanarIntegrand<const F: usize>: Integrand<F> {
+pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
     /// [`EnergyDensity::HAS_HISTORY`]
     fn remembers(&self) -> bool;
     /// Adhesion energy per length, nN, with these fields and what is remembered

@@ -21,7 +21,7 @@ pub struct ElementEnergy {
 /// One element, or four side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Element<T, const F: usize> {
-    /// `values[a][f]`: field f at node a, nodes in the elimination order of [`Basis`].
+    /// `values[a][f]`: field f at node a, nodes in the elimination order of `Basis`.
     pub values: [[T; F]; MOST_NODES],
     /// S of the left end, nm
     pub from: T,
@@ -88,7 +88,7 @@ impl<T: Real, const F: usize> Element<T, F> {
     }
 }
 
-/// Room for [`Element::integrate`]: what the density is asked and what it answers at each Gauss point, and of one of its blocks
+/// Room for `Element::integrate`: what the density is asked and what it answers at each Gauss point, and of one of its blocks
 /// of second derivatives what the responses are times their weights.
 #[derive(Clone, Debug)]
 pub struct Responses<const F: usize> {
@@ -123,7 +123,7 @@ impl<const F: usize> Element<F64x4, F> {
     // a struct of what it needs would be made for this one call
     #[allow(clippy::too_many_arguments)]
     #[inline(always)]
-    pub fn integrate<const BORDER: bool>(
+    pub(crate) fn integrate<const BORDER: bool>(
         &self,
         by: &Integration<impl Nodes, F>,
         path_weight: f64,
@@ -138,7 +138,7 @@ impl<const F: usize> Element<F64x4, F> {
 
     /// The same without the tangent, for which the room keeps the responses.
     #[inline(always)]
-    pub fn integrate_gradient<const BORDER: bool>(
+    pub(crate) fn integrate_gradient<const BORDER: bool>(
         &self,
         by: &Integration<impl Nodes, F>,
         path_weight: f64,
@@ -242,7 +242,7 @@ impl<const F: usize> Element<f64, F> {
 
     /// The gradient of the energy, node by node: the forces that hold the element in place.
     #[inline(always)]
-    pub fn forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
+    pub(crate) fn forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
         let &Integration { nodes, basis, density, .. } = by;
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
@@ -260,7 +260,7 @@ impl<const F: usize> Element<f64, F> {
     }
 
     /// The gradient of the adhesion energy, node by node.
-    pub fn coverage_forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
+    pub(crate) fn coverage_forces(&self, by: &Integration<impl Nodes, F>) -> [[f64; F]; MOST_NODES] {
         let &Integration { nodes, basis, density, .. } = by;
         let mut forces = [[0.0; F]; MOST_NODES];
         for q in 0..nodes.count() - 1 {
@@ -277,7 +277,7 @@ impl<const F: usize> Element<f64, F> {
     }
 
     /// The derivative of the energy by the border.
-    pub fn border_force(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> f64 {
+    pub(crate) fn border_force(&self, nodes: impl Nodes, density: &dyn Integrand<F>, basis: &Basis) -> f64 {
         let force = |q: usize| {
             density.gradient_at(&self.point(nodes, basis, q), self.axial_multiplier).by_border * self.weight(basis, q)
         };
@@ -402,7 +402,7 @@ impl Block<'_> {
 
 /// One point of a piece, or of the element's own rule, whose share is taken off.
 #[derive(Clone, Copy, Debug)]
-pub struct PiecePoint<const F: usize> {
+pub(crate) struct PiecePoint<const F: usize> {
     /// Adhesion there, per length; nothing of the stored energy
     pub response: PointResponse<f64, F>,
     /// Shape functions there

@@ -57,7 +57,7 @@ impl<const F: usize> Element<f64, F> {
     /// Hands out the points whose sum is what the pieces differ by from the element's own rule: none where no knot is
     /// passed.
     #[inline(never)]
-    pub fn piecewise<N: Nodes>(&self, by: &Integration<N, F>, mut add: impl FnMut(&PiecePoint<F>)) {
+    pub(crate) fn piecewise<N: Nodes>(&self, by: &Integration<N, F>, mut add: impl FnMut(&PiecePoint<F>)) {
         let &Integration { nodes, basis, density, history, .. } = by;
         let knots = density.knots();
         if knots.is_empty() {
@@ -145,7 +145,14 @@ fn crossing((mut a, mut at_a): (f64, f64), (mut b, mut at_b): (f64, f64), functi
 impl<const F: usize> FrontalMatrix<F64x4, F> {
     /// Adds a point of a piece to element `l` of four, as [`Element::integrate`] adds its own.
     #[inline(always)]
-    pub fn add_piece(&mut self, nodes: impl Nodes, l: usize, point: &PiecePoint<F>, path_weight: f64, symmetric: bool) {
+    pub(crate) fn add_piece(
+        &mut self,
+        nodes: impl Nodes,
+        l: usize,
+        point: &PiecePoint<F>,
+        path_weight: f64,
+        symmetric: bool,
+    ) {
         let PiecePoint { response: r, shape, weight } = point;
         for a in 0..nodes.count() {
             let share = shape[a] * weight;

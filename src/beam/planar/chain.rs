@@ -9,7 +9,7 @@ use std::any::Any;
 use std::ops::Range;
 
 /// The most fields a node can have.
-pub const MOST_FIELDS: usize = 3;
+pub(crate) const MOST_FIELDS: usize = 3;
 /// Size of the root block: fields of the last node, border, residual and path.
 pub const ROOT: usize = MOST_FIELDS + 2;
 
@@ -71,7 +71,7 @@ pub struct LeastPivot {
 }
 
 /// What is left of a right-hand side at the root, and the root's solution: of the fields of the last node, then of the border.
-pub type RootVector = [f64; MOST_FIELDS + 1];
+pub(crate) type RootVector = [f64; MOST_FIELDS + 1];
 
 /// Size of the block of an element's two ends: their fields, border, residual or path.
 pub(super) const EDGE: usize = 2 * MOST_FIELDS + 2;

@@ -26,7 +26,7 @@ const WEAK: f64 = 1e-2;
 
 impl PlanarBeam {
     /// The first section of a state, from the free end on, that stands upright on a pressed edge.
-    pub fn held_upright(&self, at: &State) -> Option<UprightSection> {
+    pub(crate) fn held_upright(&self, at: &State) -> Option<UprightSection> {
         let corner = self.limits.corner.as_ref()?;
         self.elements_near_upright(at).find_map(|element| {
             let looks = self.looks(at, element);
@@ -54,7 +54,7 @@ impl PlanarBeam {
 impl PlanarBeam {
     /// The first section of a state, from the free end on, that stands upright where a pole of the law changes what is computed by more than the accuracy
     /// `relative`.
-    pub fn upright_section(&self, at: &State, relative: f64) -> Option<UprightSection> {
+    pub(crate) fn upright_section(&self, at: &State, relative: f64) -> Option<UprightSection> {
         let pole = self.limits.pole.as_ref()?;
         let least = UNNOTICED.min(UNNOTICED_SHARE * relative);
         self.elements_near_upright(at).find_map(|element| {
@@ -64,12 +64,12 @@ impl PlanarBeam {
     }
 
     /// The first section of a state, from the free end on, that is so nearly upright that the elements do not resolve a pole of the law.
-    pub fn unresolved_section(&self, at: &State) -> Option<UprightSection> {
+    pub(crate) fn unresolved_section(&self, at: &State) -> Option<UprightSection> {
         self.nearly_upright(at, UNRESOLVED).next()
     }
 
     /// The first section of a state, from the free end on, that the pole of its law draws upright, and the same as one that is to be resolved.
-    pub fn drawn_section(&self, at: &State) -> Option<[UprightSection; 2]> {
+    pub(crate) fn drawn_section(&self, at: &State) -> Option<[UprightSection; 2]> {
         let pole = self.limits.pole.as_ref()?;
         let tension = self.grip_forces(at).vertical.max(0.0);
         self.nearly_upright(at, 0.0).find_map(|section| {
@@ -182,7 +182,7 @@ const COLLAPSED: f64 = 0.5;
 
 impl PlanarBeam {
     /// The section, of those between elements, that is compressed or sheared most, where no beam is so.
-    pub fn collapsed_section(&self, at: &State) -> Option<CollapsedSection> {
+    pub(crate) fn collapsed_section(&self, at: &State) -> Option<CollapsedSection> {
         let nodes = self.chain.node_states(self.configuration(at), 0..at.mesh.elements());
         let sections = nodes.iter().map(|node| {
             let (sin, cos) = node.values[self.rotation].sin_cos();

@@ -87,17 +87,17 @@ impl PlanarBeam {
     }
 
     /// Slot of the interface for the place along the substrate, where the beam knows it.
-    pub fn slot_of_x(&self) -> Option<usize> {
+    pub(crate) fn slot_of_x(&self) -> Option<usize> {
         if self.rotation > 1 { Some(0) } else { self.chain.has_border().then_some(self.fields() + 1) }
     }
 
     /// Slot of the interface for the height.
-    pub fn slot_of_height(&self) -> usize {
+    pub(crate) fn slot_of_height(&self) -> usize {
         self.rotation - 1
     }
 
     /// Slot of the interface for the rotation.
-    pub fn slot_of_rotation(&self) -> usize {
+    pub(crate) fn slot_of_rotation(&self) -> usize {
         self.rotation
     }
 
@@ -108,7 +108,7 @@ impl PlanarBeam {
 
     /// The numbers of a state of this beam, or of one that is pulled in another direction: H and the place of the right end stay, go,
     /// or come as zero.
-    pub fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
+    pub(crate) fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
         let nodes = (at.mesh.elements() * self.chain.order() + 1) * self.fields();
         let unknowns = nodes + self.behind();
         if at.values.len() == unknowns {
@@ -148,18 +148,18 @@ impl PlanarBeam {
     }
 
     /// Whether there is adhesion, and with it a front.
-    pub fn adheres(&self) -> bool {
+    pub(crate) fn adheres(&self) -> bool {
         self.rest_adhesion != 0.0
     }
 
     /// The front for a coverage, or its change for a change of that, nm: how long the left end's adhesion would have to go
     /// on; zero where nothing adheres. [`FrontPosition`] knows where that is.
-    pub fn front(&self, coverage: f64) -> f64 {
+    pub(crate) fn front(&self, coverage: f64) -> f64 {
         if self.adheres() { coverage / self.rest_adhesion } else { 0.0 }
     }
 
     /// The fields of a node at rest.
-    pub fn rest_at(&self, place: f64) -> [f64; MOST_FIELDS] {
+    pub(crate) fn rest_at(&self, place: f64) -> [f64; MOST_FIELDS] {
         let all = self.rest.at(place);
         let left_out = MOST_FIELDS - self.fields();
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
@@ -207,7 +207,7 @@ impl PlanarBeam {
     }
 
     /// The peeling front of a state, nm.
-    pub fn front_of(&self, at: &State) -> f64 {
+    pub(crate) fn front_of(&self, at: &State) -> f64 {
         self.front(self.chain.energy(self.configuration(at), self.nodes(&at.values)).0.coverage)
     }
 
@@ -224,23 +224,23 @@ impl PlanarBeam {
 
     /// Distance of the beam from the substrate, nm: of the lowest edge of its nodes, or the least gap below its axis where
     /// the law does not depend on the section's rotation.
-    pub fn nearest(&self, at: &State) -> f64 {
+    pub(crate) fn nearest(&self, at: &State) -> f64 {
         self.distances(at).fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of the beam from what it cannot pass, nm.
-    pub fn clearance(&self, at: &State) -> f64 {
+    pub(crate) fn clearance(&self, at: &State) -> f64 {
         self.barrier.clearance(self.nearest(at))
     }
 
     /// Whether all of the beam is farther from the substrate than `far`, nm, or has slipped so far that nothing attracts it.
-    pub fn is_clear(&self, at: &State, far: f64) -> bool {
+    pub(crate) fn is_clear(&self, at: &State, far: f64) -> bool {
         self.beyond(at, far) > 0.0
     }
 
     /// How much farther than `far` the beam is from the substrate where it is nearest, nm. A face that its adhesive holds along the ground and that
     /// has slipped beyond its reach, by a share of that, is by the same share of `far` beyond it.
-    pub fn beyond(&self, at: &State, far: f64) -> f64 {
+    pub(crate) fn beyond(&self, at: &State, far: f64) -> f64 {
         let Some(reach) = self.slip_reach else { return self.nearest(at) - far };
         let places = self.places(&at.mesh.boundaries);
         let nodes = self.nodes(&at.values).chunks_exact(self.fields()).zip(places);
@@ -260,7 +260,7 @@ impl PlanarBeam {
     }
 
     /// Whether all of the beam is above what it cannot pass, between its nodes as well.
-    pub fn is_above(&self, at: &State) -> bool {
+    pub(crate) fn is_above(&self, at: &State) -> bool {
         let (configuration, ends) = (self.configuration(at), &at.mesh.boundaries);
         let order = self.chain.order();
         let between = |k: usize| (2 * k + 1) as f64 / order as f64 - 1.0;
@@ -305,14 +305,14 @@ impl PlanarBeam {
 pub struct BeamInertia {
     /// ρA and ρI at S: mass per length and rotary inertia per length
     pub section: Box<dyn Fn(f64) -> [f64; 2] + Send + Sync>,
-    /// How its material flows; a chain of a viscous one has a density that is [`crate::beam::Viscous`]
+    /// How its material flows; a chain of a viscous one has a density that is `Viscous`
     pub viscosity: Viscosity,
     /// Of an adhesive that resists its opening, the distance (nm) of the bonded face at S, gap and rotation; such a chain has that density too
     pub distance: Option<FaceDistance>,
 }
 
 /// Distance of a face from the substrate (nm) at S, the gap (nm) and the rotation.
-pub type FaceDistance = Box<dyn Fn(f64, [f64; 2]) -> f64 + Send + Sync>;
+pub(crate) type FaceDistance = Box<dyn Fn(f64, [f64; 2]) -> f64 + Send + Sync>;
 
 impl BeamInertia {
     /// The same everywhere.
@@ -341,12 +341,12 @@ impl PlanarBeam {
     }
 
     /// A mesh of its own for a front.
-    pub fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
+    pub(crate) fn mesh_at(&self, front: f64, elements: usize) -> Mesh {
         self.mesh_of(front, &self.mesh.pieces.shared_out(elements), &[])
     }
 
     /// The mesh for a front with as many elements as another one, found faster near to that.
-    pub fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
+    pub(crate) fn mesh_near(&self, front: f64, like: &Mesh) -> Mesh {
         self.mesh_of(front, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
     }
 
@@ -361,7 +361,7 @@ impl PlanarBeam {
     }
 
     /// A state read off on another mesh.
-    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+    pub(crate) fn resampled(&self, at: &State, mesh: Mesh) -> State {
         let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
         values.extend_from_slice(&at.values[self.nodes(&at.values).len()..]);
         State { mesh, values, ..at.clone() }
@@ -370,7 +370,7 @@ impl PlanarBeam {
 
 impl PlanarBeam {
     /// The grip in an equilibrium, seen from an earlier one.
-    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+    pub(crate) fn grip_state(&self, at: &State, from: &State) -> GripState {
         let (here, there) = (self.interface_values(at), self.interface_values(from));
         let moved = |slot: usize| here[slot] - there[slot];
         GripState {
@@ -383,7 +383,7 @@ impl PlanarBeam {
     }
 
     /// An equilibrium of the same beam with x at every node, `of`, as one of this beam, which has condensed that.
-    pub fn without_x(&self, at: &State, of: &Self) -> State {
+    pub(crate) fn without_x(&self, at: &State, of: &Self) -> State {
         let mut values: Vec<f64> = at.values.chunks_exact(of.fields()).flat_map(|node| &node[1..]).copied().collect();
         if self.chain.has_border() {
             let x = |node: usize| at.values[node * of.fields()];
@@ -394,7 +394,7 @@ impl PlanarBeam {
     }
 
     /// What the grip exerts on the end of an equilibrium.
-    pub fn grip_forces(&self, at: &State) -> GripForces {
+    pub(crate) fn grip_forces(&self, at: &State) -> GripForces {
         let last = at.mesh.elements() - 1;
         let section = self.chain.node_states(self.configuration(at), last..last + 1)[1].section;
         let SectionState { horizontal_force: horizontal, vertical_force: vertical, moment, .. } = section;
@@ -442,7 +442,7 @@ impl FrontPosition {
     }
 
     /// The front that is not far from a place, nm.
-    pub fn near(&self, place: f64) -> f64 {
+    pub(crate) fn near(&self, place: f64) -> f64 {
         let Self::Table(table) = self else { return place };
         table.iter().rev().find(|known| known.1 <= place).map_or(0.0, |known| known.0 + (place - known.1) / known.2)
     }
@@ -468,7 +468,7 @@ const HEALED: f64 = 1e-11;
 
 impl FaceMemory {
     /// At rest
-    pub fn at_rest(&self) -> Option<&Arc<History>> {
+    pub(crate) fn at_rest(&self) -> Option<&Arc<History>> {
         match self {
             Self::Nothing => None,
             Self::Slip(history) | Self::Opening(history) => Some(history),
@@ -476,7 +476,7 @@ impl FaceMemory {
     }
 
     /// At rest, of a face that slides under friction
-    pub fn slip_at_rest(&self) -> Option<&Arc<History>> {
+    pub(crate) fn slip_at_rest(&self) -> Option<&Arc<History>> {
         match self {
             Self::Slip(history) => Some(history),
             Self::Nothing | Self::Opening(_) => None,
@@ -510,29 +510,29 @@ impl PlanarBeam {
 
 /// A history read as that of friction.
 #[derive(Clone, Copy, Debug)]
-pub struct FrictionHistory<'a>(pub &'a History);
+pub(crate) struct FrictionHistory<'a>(pub &'a History);
 
 /// Share of the friction that is all of it.
 const ALL: f64 = 1.0 - 1e-9;
 
 impl FrictionHistory<'_> {
     /// S of each place (nm), with what it remembers.
-    pub fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
         self.0.iter().map(|(s, [place, mobilisation, limit, _])| (s, FrictionState { place, mobilisation, limit }))
     }
 
     /// ∫ τ dS, the friction that the contact bears per width, nN/nm.
-    pub fn capacity(&self) -> f64 {
+    pub(crate) fn capacity(&self) -> f64 {
         self.0.spacing * self.0.rows.iter().map(|row| row[2]).sum::<f64>()
     }
 
     /// ∫ t dS, what of it is carried, likewise; its sign is that of the way gone.
-    pub fn carried(&self) -> f64 {
+    pub(crate) fn carried(&self) -> f64 {
         self.0.spacing * self.0.rows.iter().map(|row| row[1] * row[2]).sum::<f64>()
     }
 
     /// Whether all that is in contact slides one way, or the friction that it bears is below `little`, nN/nm.
-    pub fn slides(&self, little: f64) -> bool {
+    pub(crate) fn slides(&self, little: f64) -> bool {
         let capacity = self.capacity();
         capacity < little || self.carried().abs() > ALL * capacity
     }

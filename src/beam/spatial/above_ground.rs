@@ -37,7 +37,7 @@ pub(super) struct LettingGo<'a> {
 
 impl LettingGo<'_> {
     /// E of the two edges, nm, of nodes at S with their fields.
-    pub fn edges<'n>(&self, nodes: impl Iterator<Item = (f64, &'n [f64])>) -> [f64; 2] {
+    pub(crate) fn edges<'n>(&self, nodes: impl Iterator<Item = (f64, &'n [f64])>) -> [f64; 2] {
         let (mut sums, mut before) = ([0.0; 2], (0.0, [0.0; 2]));
         for (place, node) in nodes {
             let adhering = self.adhering_edges(place, node);
@@ -65,7 +65,7 @@ impl LettingGo<'_> {
 
 impl SpatialBeam {
     /// The two places, from that of the front, nm; zeros where nothing follows them.
-    pub fn edges(&self, at: &State, front: f64) -> Vec<f64> {
+    pub(crate) fn edges(&self, at: &State, front: f64) -> Vec<f64> {
         let Some(adhesion) = self.chain.density.adhesion.as_ref().filter(|_| !self.mesh.edge_foci.is_empty()) else {
             return vec![0.0; 2];
         };

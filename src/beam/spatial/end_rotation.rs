@@ -37,7 +37,7 @@ pub fn angles(q: Quaternion, rest: Quaternion) -> [f64; 3] {
 }
 
 /// The axes that the angles turn about, as columns of ∂φ/∂(θ, ψ, ρ), in the axes of the directors.
-pub fn axes([rotation, yaw, _]: [f64; 3], q: Quaternion) -> Matrix3 {
+pub(crate) fn axes([rotation, yaw, _]: [f64; 3], q: Quaternion) -> Matrix3 {
     let r = matrix(q);
     let about_z = [0.0, 0.0, 1.0];
     let (sin, cos) = rotation.sin_cos();
@@ -48,7 +48,7 @@ pub fn axes([rotation, yaw, _]: [f64; 3], q: Quaternion) -> Matrix3 {
 }
 
 /// Σ g ∂²φ/∂c∂c of the angles, for the gradient g by φ: turns one after the other make that of their sum and half of their cross product.
-pub fn bent(axes: &Matrix3, gradient: [f64; 3]) -> Matrix3 {
+pub(crate) fn bent(axes: &Matrix3, gradient: [f64; 3]) -> Matrix3 {
     let column = |k: usize| -> [f64; 3] { std::array::from_fn(|i| axes[i][k]) };
     let mut out = [[0.0; 3]; 3];
     for (first, second) in [(0, 1), (0, 2), (1, 2)] {
@@ -91,7 +91,7 @@ impl EndRotation {
 }
 
 /// Turns a quaternion on by a vector in the axes of the directors, and keeps its length one.
-pub fn turn_on(q: Quaternion, by: [f64; 3]) -> Quaternion {
+pub(crate) fn turn_on(q: Quaternion, by: [f64; 3]) -> Quaternion {
     let next = product(q, exponential(by));
     normalised(next)
 }
@@ -99,7 +99,7 @@ pub fn turn_on(q: Quaternion, by: [f64; 3]) -> Quaternion {
 /// From the unknowns of an end of the chain to those of its last node: of its place and of its turn, and how that is bent,
 /// Σ g ∂²φ/∂c².
 #[derive(Clone, Copy, Debug)]
-pub struct EndMap {
+pub(crate) struct EndMap {
     /// Columns: the axes along which the end is moved.
     pub place: Matrix3,
     /// ∂φ/∂c
@@ -108,12 +108,12 @@ pub struct EndMap {
 
 impl EndMap {
     /// A direction of the end as one of its node.
-    pub fn forward(&self, end: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
+    pub(crate) fn forward(&self, end: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
         self.both(|map, k| (0..3).map(|j| map[k % 3][j] * end[3 * (k / 3) + j]).sum())
     }
 
     /// A gradient by the unknowns of the node as one by those of the end.
-    pub fn back(&self, node: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
+    pub(crate) fn back(&self, node: &[f64]) -> [f64; SPATIAL_UNKNOWNS] {
         self.both(|map, k| (0..3).map(|j| map[j][k % 3] * node[3 * (k / 3) + j]).sum())
     }
 

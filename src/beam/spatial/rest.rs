@@ -133,7 +133,7 @@ impl SpatialRest {
     }
 
     /// Where the front is.
-    pub fn fronts(&self) -> &FrontPosition {
+    pub(crate) fn fronts(&self) -> &FrontPosition {
         match self {
             Self::Curve(_) => EVEN,
             Self::Outline(outline) => &outline.fronts,
@@ -141,7 +141,7 @@ impl SpatialRest {
     }
 
     /// S up to which a beam of this length adheres at rest, nm.
-    pub fn front(&self, length: f64) -> f64 {
+    pub(crate) fn front(&self, length: f64) -> f64 {
         match self {
             Self::Curve(_) => length,
             Self::Outline(outline) => outline.rest_front,

@@ -40,7 +40,7 @@ pub fn times<T: Real>(q: Quaternion<T>, factor: T) -> Quaternion<T> {
 }
 
 /// q of length one.
-pub fn normalised(q: Quaternion) -> Quaternion {
+pub(crate) fn normalised(q: Quaternion) -> Quaternion {
     times(q, 1.0 / inner(q, q).sqrt())
 }
 
@@ -149,7 +149,7 @@ pub fn multiply<T: Real, const L: usize, const M: usize, const N: usize>(
 
 /// Aᵀ B
 #[inline(always)]
-pub fn multiply_transposed<T: Real, const L: usize, const M: usize, const N: usize>(
+pub(crate) fn multiply_transposed<T: Real, const L: usize, const M: usize, const N: usize>(
     a: &[[T; L]; M],
     b: &[[T; N]; M],
 ) -> [[T; N]; L] {
@@ -169,7 +169,7 @@ pub fn multiply_transposed<T: Real, const L: usize, const M: usize, const N: usi
 
 /// A Bᵀ
 #[inline(always)]
-pub fn multiply_by_transposed<T: Real, const L: usize, const M: usize, const N: usize>(
+pub(crate) fn multiply_by_transposed<T: Real, const L: usize, const M: usize, const N: usize>(
     a: &[[T; M]; L],
     b: &[[T; M]; N],
 ) -> [[T; N]; L] {

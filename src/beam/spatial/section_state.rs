@@ -66,7 +66,7 @@ impl SpatialSectionState {
     }
 
     /// m about x, y, z, nN·nm
-    pub fn moment(&self) -> [f64; 3] {
+    pub(crate) fn moment(&self) -> [f64; 3] {
         self.in_space(self.section.moment)
     }
 
@@ -84,7 +84,7 @@ impl SpatialSectionState {
 
 impl SpatialBeam {
     /// The stress-free curvatures of a beam that is the same all along; none of another one.
-    pub fn uniform_rest_curvature(&self) -> Option<[f64; 3]> {
+    pub(crate) fn uniform_rest_curvature(&self) -> Option<[f64; 3]> {
         match &self.chain.density.profile {
             SpatialProfile::Uniform(station) => Some(station.rest_curvature),
             SpatialProfile::Varying(_) => None,
@@ -92,7 +92,7 @@ impl SpatialBeam {
     }
 
     /// The state at a share of an element, from 0 to 1: as accurate as the slopes are there.
-    pub fn state_at(&self, at: &State, element: usize, share: f64) -> SpatialSectionState {
+    pub(crate) fn state_at(&self, at: &State, element: usize, share: f64) -> SpatialSectionState {
         let boundaries = &at.mesh.boundaries;
         let place = boundaries[element] + share * (boundaries[element + 1] - boundaries[element]);
         let (value, _) = self.chain.sample(self.configuration(at), element, 2.0 * share - 1.0);
@@ -100,7 +100,7 @@ impl SpatialBeam {
     }
 
     /// The states at the ends of the elements of a range, from nodal forces: as accurate as the energy.
-    pub fn end_states(&self, at: &State, elements: Range<usize>) -> Vec<SpatialSectionState> {
+    pub(crate) fn end_states(&self, at: &State, elements: Range<usize>) -> Vec<SpatialSectionState> {
         let (configuration, order) = (self.configuration(at), self.chain.order());
         let forces = self.chain.end_forces(configuration, elements.clone());
         let one = |(end, [x, y, z, m0, m1, m2]): (usize, [f64; 6])| {
@@ -147,7 +147,7 @@ fn strains(station: &Station, section: &SpatialSectionPlace) -> [f64; 6] {
 
 /// What the grip exerts on the right end of a beam in space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct GripReactions {
+pub(crate) struct GripReactions {
     /// Along x, y and z, nN
     pub force: [f64; 3],
     /// What works on the end's rotation θ, yaw and roll, nN·nm; zeros of an end that turns freely
@@ -180,7 +180,7 @@ fn nearest_turn(angle: f64, other: f64) -> f64 {
 
 impl SpatialBeam {
     /// What the grip exerts on the end of an equilibrium.
-    pub fn grip_reactions(&self, at: &State) -> GripReactions {
+    pub(crate) fn grip_reactions(&self, at: &State) -> GripReactions {
         let end = self.chain.residual_of_right_end(self.configuration(at));
         GripReactions {
             force: apply(&self.chain.ends[1].axes, &[end[0], end[1], end[2]]),
@@ -229,21 +229,21 @@ impl SpatialBeam {
     }
 
     /// A state whose right end is turned by angles, for this beam, whose right end turns freely.
-    pub fn without_angles_of_grip(&self, mut at: State) -> State {
+    pub(crate) fn without_angles_of_grip(&self, mut at: State) -> State {
         let angles = at.values.len() - 3;
         at.values[angles..].fill(0.0);
         at
     }
 
     /// What the grip exerts along x, y and z, and on the end's angles.
-    pub fn grip_forces(&self, at: &State) -> GripForces {
+    pub(crate) fn grip_forces(&self, at: &State) -> GripForces {
         let reactions = self.grip_reactions(at);
         let ([horizontal, vertical, lateral], [moment, yaw_moment, torque]) = (reactions.force, reactions.moment);
         GripForces { horizontal, vertical, moment, in_space: Some(ForcesInSpace { lateral, yaw_moment, torque }) }
     }
 
     /// The grip in an equilibrium, seen from an earlier one.
-    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+    pub(crate) fn grip_state(&self, at: &State, from: &State) -> GripState {
         let place = |state: &State| -> [f64; 3] {
             let node = self.chain.end_node(self.configuration(state), 1);
             [node[0], node[1], node[2]]
@@ -259,7 +259,7 @@ impl SpatialBeam {
     }
 
     /// The section at a share of an element, from 0 to 1.
-    pub fn section_at(&self, at: &State, element: usize, share: f64) -> SpatialSectionPlace {
+    pub(crate) fn section_at(&self, at: &State, element: usize, share: f64) -> SpatialSectionPlace {
         let boundaries = &at.mesh.boundaries;
         let arc_length = boundaries[element] + share * (boundaries[element + 1] - boundaries[element]);
         let (value, slope) = self.chain.sample(self.configuration(at), element, 2.0 * share - 1.0);

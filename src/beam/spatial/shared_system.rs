@@ -8,7 +8,7 @@ use super::section::kinematics::SPATIAL_UNKNOWNS;
 const F: usize = SPATIAL_UNKNOWNS;
 
 /// Moves and turns a node by a step of its unknowns; of an end these are along its axes, and its angles, where it has some, are moved with it.
-pub fn step_node(node: &mut [f64], step: [f64; F], end: Option<(&SpatialEnd, &mut [f64])>) {
+pub(crate) fn step_node(node: &mut [f64], step: [f64; F], end: Option<(&SpatialEnd, &mut [f64])>) {
     let (along, turn) = ([step[0], step[1], step[2]], [step[3], step[4], step[5]]);
     let moved = end.as_ref().map_or(along, |(own, _)| apply(&own.axes, &along));
     (0..3).for_each(|i| node[i] += moved[i]);
@@ -23,7 +23,7 @@ pub fn step_node(node: &mut [f64], step: [f64; F], end: Option<(&SpatialEnd, &mu
 }
 
 /// From one node to another: the way, and the turn as a vector.
-pub fn node_difference(from: &[f64], to: &[f64]) -> [f64; F] {
+pub(crate) fn node_difference(from: &[f64], to: &[f64]) -> [f64; F] {
     let turn = logarithm(product(conjugate(quaternion_of(from)), quaternion_of(to)));
     std::array::from_fn(|i| if i < 3 { to[i] - from[i] } else { turn[i - 3] })
 }

@@ -56,7 +56,7 @@ impl SpatialBeam {
     }
 
     /// The front for a coverage, or its change for a change of that, nm; zero where nothing adheres.
-    pub fn front(&self, coverage: f64) -> f64 {
+    pub(crate) fn front(&self, coverage: f64) -> f64 {
         if self.adheres() { coverage / self.rest_adhesion } else { 0.0 }
     }
 
@@ -103,17 +103,17 @@ impl SpatialBeam {
     }
 
     /// A mesh of its own for a front and [`Mesh::follows`], its edges.
-    pub fn mesh_at(&self, front: f64, edges: &[f64], elements: usize) -> Mesh {
+    pub(crate) fn mesh_at(&self, front: f64, edges: &[f64], elements: usize) -> Mesh {
         self.mesh_of(front, edges, &self.mesh.pieces.shared_out(elements), &[])
     }
 
     /// The mesh for a front and edges with as many elements as another one, found faster near to that.
-    pub fn mesh_near(&self, front: f64, edges: &[f64], like: &Mesh) -> Mesh {
+    pub(crate) fn mesh_near(&self, front: f64, edges: &[f64], like: &Mesh) -> Mesh {
         self.mesh_of(front, edges, &self.mesh.pieces.counted(&like.boundaries), &like.boundaries)
     }
 
     /// A state read off on another mesh.
-    pub fn resampled(&self, at: &State, mesh: Mesh) -> State {
+    pub(crate) fn resampled(&self, at: &State, mesh: Mesh) -> State {
         let mut values = FieldsAlong::of(&self.chain, self.configuration(at)).resampled(&mesh.boundaries);
         values.extend_from_slice(&at.values[at.values.len() - ANGLES..]);
         self.settle_rotations(&mut values);
@@ -121,7 +121,7 @@ impl SpatialBeam {
     }
 
     /// The peeling front of a state, nm.
-    pub fn front_of(&self, at: &State) -> f64 {
+    pub(crate) fn front_of(&self, at: &State) -> f64 {
         let still = vec![0.0; (at.values.len() - ANGLES) / SPATIAL_FIELDS * SPATIAL_UNKNOWNS];
         self.front(self.chain.energy(self.configuration(at), &still).0.coverage)
     }
@@ -133,17 +133,17 @@ impl SpatialBeam {
     }
 
     /// Distance of the beam from the ground, nm: of the lowest points of its sections, at its nodes and between them.
-    pub fn nearest(&self, at: &State) -> f64 {
+    pub(crate) fn nearest(&self, at: &State) -> f64 {
         self.lowest_points(at).fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of the beam from what it cannot pass, nm.
-    pub fn clearance(&self, at: &State) -> f64 {
+    pub(crate) fn clearance(&self, at: &State) -> f64 {
         self.barrier.clearance(self.nearest(at))
     }
 
     /// Whether no part of the beam is nearer to the ground than `far`, nm.
-    pub fn is_clear(&self, at: &State, far: f64) -> bool {
+    pub(crate) fn is_clear(&self, at: &State, far: f64) -> bool {
         self.lowest_points(at).all(|height| height > far)
     }
 

@@ -52,7 +52,7 @@ impl SpatialBeam {
     }
 
     /// θ of the right end, rad.
-    pub fn rotation_of_grip(&self, at: &State) -> f64 {
+    pub(crate) fn rotation_of_grip(&self, at: &State) -> f64 {
         self.angles_of_grip(at)[0]
     }
 

@@ -65,7 +65,7 @@ impl From<Laminate> for Vec<Layer> {
 
 impl Laminate {
     /// Most layers.
-    pub const MOST: usize = 8;
+    pub(crate) const MOST: usize = 8;
 
     /// Of layers from the adhering face up.
     ///

@@ -305,11 +305,11 @@ impl Range {
     /// Of what a load cell shows where nothing pulls, nN.
     pub const FORCE_ZERO: Self = Self::From(-1e12, 1e12);
     /// Of Coulomb's coefficient of friction.
-    pub const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
+    pub(crate) const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
     /// Of the angle of the pull, rad.
     pub const PULL_ANGLE: Self = Self::From(0.0, HALF_TURN);
     /// Of the direction of the pull along the substrate, rad.
-    pub const AZIMUTH: Self = Self::From(-HALF_TURN, HALF_TURN);
+    pub(crate) const AZIMUTH: Self = Self::From(-HALF_TURN, HALF_TURN);
     /// Of the angle of a seta's shaft and of its brush to the normal of the ground, rad: up to 89 degrees.
     pub const SETA_ANGLE: Self = Self::From(-1.5533, 1.5533);
     /// Of how the grip turns as it goes, rad/nm.

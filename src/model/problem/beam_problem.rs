@@ -29,7 +29,7 @@ impl Beam {
     }
 
     /// The one in space, where it is one.
-    pub fn spatial(&self) -> Option<&Arc<SpatialBeam>> {
+    pub(crate) fn spatial(&self) -> Option<&Arc<SpatialBeam>> {
         if let Self::Spatial(beam) = self { Some(beam) } else { None }
     }
 
@@ -42,7 +42,7 @@ impl Beam {
     }
 
     /// What it is on.
-    pub fn substrate(&self) -> &Substrate {
+    pub(crate) fn substrate(&self) -> &Substrate {
         match self {
             Self::Planar(beam) => &beam.substrate,
             Self::Spatial(_) => &Substrate::Flat,
@@ -50,7 +50,7 @@ impl Beam {
     }
 
     /// Slot of the interface for the rotation.
-    pub fn slot_of_rotation(&self) -> usize {
+    pub(crate) fn slot_of_rotation(&self) -> usize {
         match self {
             Self::Planar(beam) => beam.slot_of_rotation(),
             Self::Spatial(_) => ROTATION,
@@ -74,7 +74,7 @@ impl Beam {
     }
 
     /// Length ℓ of the process zone, nm; L where nothing adheres
-    pub fn process_length(&self) -> f64 {
+    pub(crate) fn process_length(&self) -> f64 {
         match self {
             Self::Planar(beam) => beam.process_length,
             Self::Spatial(beam) => beam.process_length,
@@ -82,7 +82,7 @@ impl Beam {
     }
 
     /// Adhesion energy per length at rest at the left end, nN.
-    pub fn rest_adhesion(&self) -> f64 {
+    pub(crate) fn rest_adhesion(&self) -> f64 {
         match self {
             Self::Planar(beam) => beam.rest_adhesion,
             Self::Spatial(beam) => beam.rest_adhesion,
@@ -90,7 +90,7 @@ impl Beam {
     }
 
     /// S of a front, nm.
-    pub fn front_place(&self, front: f64) -> f64 {
+    pub(crate) fn front_place(&self, front: f64) -> f64 {
         match self {
             Self::Planar(beam) => beam.fronts.place(front),
             Self::Spatial(beam) => beam.rest.fronts().place(front),
@@ -106,7 +106,7 @@ impl Beam {
     }
 
     /// How much farther than `far` the beam is from what attracts it, nm.
-    pub fn beyond(&self, at: &State, far: f64) -> f64 {
+    pub(crate) fn beyond(&self, at: &State, far: f64) -> f64 {
         match self {
             Self::Planar(beam) => beam.beyond(at, far),
             Self::Spatial(beam) => beam.nearest(at) - far,
@@ -123,7 +123,7 @@ impl Beam {
 
     /// Distance of the beam from what it cannot pass, nm: the pole of a half space at the distance zero; above the spring of a cohesive law it is
     /// never zero.
-    pub fn clearance(&self, at: &State) -> f64 {
+    pub(crate) fn clearance(&self, at: &State) -> f64 {
         match self {
             Self::Planar(beam) => beam.clearance(at),
             Self::Spatial(beam) => beam.clearance(at),
@@ -131,7 +131,7 @@ impl Beam {
     }
 
     /// The mesh for a front and [`Mesh::follows`] with as many elements as another one.
-    pub fn mesh_near(&self, front: f64, follows: &[f64], like: &Mesh) -> Mesh {
+    pub(crate) fn mesh_near(&self, front: f64, follows: &[f64], like: &Mesh) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_near(front, like),
             Self::Spatial(beam) => beam.mesh_near(front, follows, like),
@@ -147,7 +147,7 @@ impl Beam {
     }
 
     /// The numbers of a state of this beam, or of one that is pulled in another direction.
-    pub fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
+    pub(crate) fn adopted<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
         match self {
             Self::Planar(beam) => beam.adopted(at),
             Self::Spatial(_) => Cow::Borrowed(&at.values),
@@ -163,7 +163,7 @@ impl Beam {
     }
 
     /// The grip in an equilibrium, seen from an earlier one.
-    pub fn grip_state(&self, at: &State, from: &State) -> GripState {
+    pub(crate) fn grip_state(&self, at: &State, from: &State) -> GripState {
         match self {
             Self::Planar(beam) => beam.grip_state(at, from),
             Self::Spatial(beam) => beam.grip_state(at, from),
@@ -171,7 +171,7 @@ impl Beam {
     }
 
     /// A mesh of its own for a front and [`Mesh::follows`].
-    pub fn mesh_at(&self, front: f64, follows: &[f64], elements: usize) -> Mesh {
+    pub(crate) fn mesh_at(&self, front: f64, follows: &[f64], elements: usize) -> Mesh {
         match self {
             Self::Planar(beam) => beam.mesh_at(front, elements),
             Self::Spatial(beam) => beam.mesh_at(front, follows, elements),
@@ -208,7 +208,7 @@ impl BeamProblem {
     }
 
     /// Makes the right end of a beam in space move along these axes: the columns, in the order of its interface. States stay what they are.
-    pub fn move_along(&mut self, axes: Matrix3) {
+    pub(crate) fn move_along(&mut self, axes: Matrix3) {
         if let Beam::Spatial(beam) = &self.beam {
             let mut beam = SpatialBeam::clone(beam);
             beam.chain.ends[1].axes = axes;
@@ -218,7 +218,7 @@ impl BeamProblem {
     }
 
     /// Whether the vertical plane of the body at rest is one of symmetry: it is pulled within that, and what the grip holds does not lead out of it.
-    pub fn has_plane_of_symmetry(&self) -> bool {
+    pub(crate) fn has_plane_of_symmetry(&self) -> bool {
         let Beam::Spatial(beam) = &self.beam else { return true };
         let (axes, grip) = (&beam.chain.ends[1].axes, &self.problem.grip);
         let is_zero = |number: f64| number.abs() <= ROUNDED;
@@ -281,7 +281,7 @@ pub struct SpatialGrip {
 
 impl BeamProblem {
     /// The same strip in space in a grip that holds its end at this roll, rad, or lets it roll.
-    pub fn with_roll(&self, roll: Option<f64>) -> Self {
+    pub(crate) fn with_roll(&self, roll: Option<f64>) -> Self {
         let mut grip = self.grip;
         grip.held[ROLL] = roll.is_some();
         grip.origin[ROLL] = roll.unwrap_or(0.0);
@@ -289,7 +289,7 @@ impl BeamProblem {
     }
 
     /// The grip at an equilibrium of a strip in space; none of one in the plane.
-    pub fn spatial_grip(&self, at: &State) -> Option<SpatialGrip> {
+    pub(crate) fn spatial_grip(&self, at: &State) -> Option<SpatialGrip> {
         let beam = self.beam.spatial()?;
         let [_, yaw, roll] = beam.angles_of_grip(at);
         let reactions = beam.grip_reactions(at);

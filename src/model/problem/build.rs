@@ -109,7 +109,7 @@ impl PeelModel {
     ///
     /// # Errors
     /// An order that there is not.
-    pub fn discretised(
+    pub(crate) fn discretised(
         &self,
         how: Discretisation,
         adjust: impl FnOnce(&mut PlanarBeam),
@@ -199,7 +199,7 @@ impl PeelModel {
     }
 
     /// The same problem, discretised as `how` says, with tilted sections counted finely, where that is another count: a mesh follows the front by it.
-    pub fn counted_finely(&self, problem: &BeamProblem, how: Discretisation) -> Option<BeamProblem> {
+    pub(crate) fn counted_finely(&self, problem: &BeamProblem, how: Discretisation) -> Option<BeamProblem> {
         let (law, substrate) = (self.line_law(), &self.ground.substrate);
         let counts = matches!(law.law, Law::BodyForce) && law.line_load != LineLoad::AxisGap;
         if !counts || self.space.is_some() || !substrate.is_flat() || self.friction_law().is_some() {
@@ -215,7 +215,7 @@ impl PeelModel {
     }
 
     /// The same problem in the plane, discretised as `how` says, with further places where elements are small.
-    pub fn with_foci(&self, problem: &BeamProblem, how: Discretisation, foci: &[Focus]) -> Option<BeamProblem> {
+    pub(crate) fn with_foci(&self, problem: &BeamProblem, how: Discretisation, foci: &[Focus]) -> Option<BeamProblem> {
         let further = |beam: &mut PlanarBeam| beam.mesh.fixed_foci.extend(foci);
         let finer = self.discretised(how, further).ok().filter(|_| self.space.is_none())?;
         Some(problem.with_beam(finer.beam))

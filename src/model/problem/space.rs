@@ -50,12 +50,12 @@ impl PeelModel {
     ///
     /// # Errors
     /// A law that has none there.
-    pub fn spatial_section(&self, space: &Space) -> Result<SpatialSection, SpatialSectionError> {
+    pub(crate) fn spatial_section(&self, space: &Space) -> Result<SpatialSection, SpatialSectionError> {
         SpatialSection::new(space.section, self.free_end().0, self.line_law())
     }
 
     /// Stiffness of its section in space, from the outline's area, second moments and torsion constant.
-    pub fn spatial_stiffness(&self, space: &Space) -> SpatialStiffness {
+    pub(crate) fn spatial_stiffness(&self, space: &Space) -> SpatialStiffness {
         let (width, height) = self.free_end();
         let share = |moment: f64| if space.section == SectionShape::Ellipse { moment } else { 1.0 };
         let area = width * height * share(FRAC_PI_4);

@@ -27,13 +27,13 @@ const AGAIN: f64 = 0.5;
 
 impl StressFreePlacement {
     /// S behind which a beam of this outline stays clear of the ground on which its free end lies.
-    pub fn contact_extent(beam: &Varying, adhesion: &Adhesion, ground: &Ground) -> f64 {
+    pub(crate) fn contact_extent(beam: &Varying, adhesion: &Adhesion, ground: &Ground) -> f64 {
         let law = adhesion.line_law(beam.contour().at(0.0).height[0]);
         contact_extent(&VaryingReference::new(beam.clone(), law.rest_gap()), beam.contour().length(), adhesion, ground)
     }
 
     /// All along the substrate, with this gap.
-    pub fn flat(length: f64, gap: f64) -> Self {
+    pub(crate) fn flat(length: f64, gap: f64) -> Self {
         Self {
             rest: ReferenceConfiguration::Curve(ReferenceCurve::straight(0.0, gap, 0.0)),
             fronts: FrontPosition::Even,
@@ -45,7 +45,7 @@ impl StressFreePlacement {
     /// As its outline says, with the free end at the gap of a flat section in equilibrium. `front` are the mesh's
     /// moving foci, the first of them that of every law; to the others are added those where the beam comes down again behind its front. On ground that is not flat elements are shared out as if
     /// they were alike as far as that reaches.
-    pub fn varying(
+    pub(crate) fn varying(
         beam: &Varying,
         adhesion: &Adhesion,
         ground: &Ground,
@@ -90,7 +90,7 @@ impl StressFreePlacement {
 
 impl PeelModel {
     /// S beyond which it stays clear of the ground in its stress-free configuration, nm: L of a strip.
-    pub fn contact_extent(&self) -> f64 {
+    pub(crate) fn contact_extent(&self) -> f64 {
         let Some(contour) = self.contour() else { return self.length() };
         StressFreePlacement::contact_extent(&Varying::new(contour, self.material()), &self.adhesion, &self.ground)
     }

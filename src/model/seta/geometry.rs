@@ -56,7 +56,7 @@ impl Seta {
     }
 
     /// The tip at a joint, if one is there.
-    pub fn tip_at(&self, joint: usize) -> Option<usize> {
+    pub(crate) fn tip_at(&self, joint: usize) -> Option<usize> {
         Some(self.tips_behind(joint).start).filter(|&tip| self.tip_joint(tip) == joint)
     }
 
@@ -72,12 +72,12 @@ impl Seta {
     }
 
     /// Forks between the root and the branch that ends at a joint.
-    pub fn generation(&self, joint: usize) -> usize {
+    pub(crate) fn generation(&self, joint: usize) -> usize {
         self.tree.as_ref().map_or_else(|| self.level_of(joint).0, |tree| tree.generation(joint))
     }
 
     /// The tips that a joint carries, or that are it.
-    pub fn tips_behind(&self, joint: usize) -> Range<usize> {
+    pub(crate) fn tips_behind(&self, joint: usize) -> Range<usize> {
         if let Some(tree) = &self.tree {
             return tree.tips_behind(joint);
         }
@@ -104,7 +104,7 @@ impl Seta {
     }
 
     /// By how much a tip stands too high in the stress-free configuration, nm.
-    pub fn scatter(&self, tip: usize) -> f64 {
+    pub(crate) fn scatter(&self, tip: usize) -> f64 {
         match &self.tree {
             Some(tree) => tree.joints()[tree.tips()[tip]].place[1],
             None => self.height_scatter * (2.0 * (GOLDEN * tip as f64).fract() - 1.0),
@@ -231,7 +231,7 @@ impl Seta {
     }
 
     /// ρA, and ρJ about the axis, the width and the height, of a branch of the tree, by its number; ρ in 1e-18 kg/nm³.
-    pub fn section_inertia(&self, branch: usize, density: f64) -> [f64; 4] {
+    pub(crate) fn section_inertia(&self, branch: usize, density: f64) -> [f64; 4] {
         let (area, second) = self.round_section(branch + 1);
         [area, 2.0 * second, second, second].map(|of| density * of)
     }
@@ -248,7 +248,7 @@ impl Seta {
     }
 
     /// Directors of the branch that ends at a joint, in the stress-free configuration; of the root those of the shaft.
-    pub fn directors(&self, joint: usize) -> Quaternion {
+    pub(crate) fn directors(&self, joint: usize) -> Quaternion {
         self.branch(joint.max(1), 1).rest.at(0.0).1
     }
 

@@ -37,24 +37,24 @@ pub struct SetaOfBeams {
 
 impl SetaOfBeams {
     /// Height at which the end of the shaft of a spatula stands that rests on the ground, nm.
-    pub fn foot(&self) -> f64 {
+    pub(crate) fn foot(&self) -> f64 {
         let ([_, height, _], _) = self.spatula.rest.at(self.spatula.length);
         height
     }
 
     /// How near to the ground a spatula adheres, nm.
-    pub fn reach(&self) -> f64 {
+    pub(crate) fn reach(&self) -> f64 {
         self.spatula.sections.law.law().adhering_distance()
     }
 
     /// Half of the height of the section in the middle of a spatula, nm.
-    pub fn half_height(&self) -> f64 {
+    pub(crate) fn half_height(&self) -> f64 {
         let [_, height] = self.spatula.sections.profile.outline(0.5 * self.spatula.length);
         0.5 * height
     }
 
     /// Number of the branch that is the spatula of a tip.
-    pub fn spatula_of(&self, tip: usize) -> usize {
+    pub(crate) fn spatula_of(&self, tip: usize) -> usize {
         self.seta.joints() - 1 + tip
     }
 
@@ -94,7 +94,7 @@ impl SetaOfBeams {
     }
 
     /// Where every pad lies on the ground, with the branches of the seta straight: no equilibrium, but near to one.
-    pub fn lying(&self, tree: &BeamTree) -> State {
+    pub(crate) fn lying(&self, tree: &BeamTree) -> State {
         let (joints, rest) = (self.seta.joints(), tree.stress_free(0));
         // by how much each joint is lowered: tips and what is behind them by their scatter
         let lowered = |joint: usize| match joint.checked_sub(joints) {

@@ -60,7 +60,7 @@ pub trait TipLaw: Send + Sync + Debug {
 
 /// A tip on a branch of its law.
 #[derive(Clone, Debug)]
-pub struct AdheringTip {
+pub(crate) struct AdheringTip {
     /// Its law
     pub law: Arc<dyn TipLaw>,
     /// The branch that it is on
@@ -76,22 +76,22 @@ impl AdheringTip {
     }
 
     /// The branch that it goes on by with its end at a place, nm.
-    pub fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
+    pub(crate) fn branch(&self, place: [f64; 3], directors: Quaternion) -> TipBranch {
         self.law.branch(self.on, self.offset(place), directors)
     }
 
     /// Whether it goes on adhering, or begins to, with its end at a place, nm.
-    pub fn adheres(&self, place: [f64; 3], directors: Quaternion) -> bool {
+    pub(crate) fn adheres(&self, place: [f64; 3], directors: Quaternion) -> bool {
         self.law.adheres(self.on, self.offset(place), directors)
     }
 
     /// Whether its law is known with its end at a place, nm, and no extrapolation.
-    pub fn is_known(&self, place: [f64; 3], directors: Quaternion) -> bool {
+    pub(crate) fn is_known(&self, place: [f64; 3], directors: Quaternion) -> bool {
         self.law.is_known(self.on, self.offset(place), directors)
     }
 
     /// Takes note that it, the tip of this number, is in equilibrium with its end at a place, nm.
-    pub fn note(&self, tip: usize, place: [f64; 3], directors: Quaternion) {
+    pub(crate) fn note(&self, tip: usize, place: [f64; 3], directors: Quaternion) {
         self.law.note(tip, self.on, self.offset(place), directors);
     }
 }

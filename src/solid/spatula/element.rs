@@ -171,7 +171,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Element {
-    pub fn new(place: &ElementPlace) -> Self {
+    pub(crate) fn new(place: &ElementPlace) -> Self {
         let coefficients = place.coefficients();
         let length = place.length();
         let [along, through, across] = BULK.map(gauss);
@@ -219,22 +219,22 @@ impl Element {
     }
 
     /// The function of one of the underside.
-    pub fn on_face(index: usize) -> usize {
+    pub(crate) fn on_face(index: usize) -> usize {
         index / ACROSS * THROUGH * ACROSS + index % ACROSS
     }
 
     /// Values of the functions along S and their derivatives by ξ, in an element of this length.
-    pub fn along(xi: f64, length: f64) -> [Jet; ALONG] {
+    pub(crate) fn along(xi: f64, length: f64) -> [Jet; ALONG] {
         hermite(xi, length)
     }
 
     /// Volume of both halves, nm³.
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         self.bulk.iter().map(|point| point.volume).sum()
     }
 
     /// Of displacements, three numbers a function: energy and residual, and the tangent where it is asked for.
-    pub fn at(
+    pub(crate) fn at(
         &self,
         moved: &[f64; ELEMENT],
         material: &NeoHookean,
@@ -298,7 +298,7 @@ impl Element {
     }
 
     /// Gap at a point of the underside at these displacements.
-    pub fn gap(point: &FacePoint, moved: &[f64; ELEMENT]) -> f64 {
+    pub(crate) fn gap(point: &FacePoint, moved: &[f64; ELEMENT]) -> f64 {
         point.height + (0..ON_FACE).map(|k| moved[3 * Self::on_face(k) + 1] * point.values[k]).sum::<f64>()
     }
 }

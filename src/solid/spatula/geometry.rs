@@ -54,7 +54,7 @@ const AXIS_POINTS: NonZeroUsize = NonZeroUsize::new(16).expect("sixteen is not z
 
 impl SolidGeometry {
     /// Of an outline, at rest at this gap over the ground, nm.
-    pub fn new(outline: Arc<dyn BeamGeometry>, gap: f64) -> Self {
+    pub(crate) fn new(outline: Arc<dyn BeamGeometry>, gap: f64) -> Self {
         let start = gap + 0.5 * outline.at(0.0).height[0];
         Self { outline, start }
     }
@@ -65,7 +65,7 @@ impl SolidGeometry {
     }
 
     /// x and y of the axis at these places, which ascend from 0, nm.
-    pub fn axis(&self, stations: &[f64]) -> Vec<[f64; 2]> {
+    pub(crate) fn axis(&self, stations: &[f64]) -> Vec<[f64; 2]> {
         let rule = Rule::new(AXIS_POINTS);
         let mut at = [0.0, self.start];
         let mut axis = vec![at];
@@ -80,7 +80,7 @@ impl SolidGeometry {
     }
 
     /// x and y of (ζ, t) at a place whose axis is there.
-    pub fn in_plane(&self, place: f64, axis: [f64; 2], zeta: f64, t: f64) -> InPlane {
+    pub(crate) fn in_plane(&self, place: f64, axis: [f64; 2], zeta: f64, t: f64) -> InPlane {
         let section = self.outline.at(place);
         let [_, roundness] = self.outline.slopes(place);
         let [height, slope, bend] = section.height;
@@ -98,7 +98,7 @@ impl SolidGeometry {
     }
 
     /// z of (ζ, t) at a place.
-    pub fn across(&self, place: f64, zeta: f64, t: f64) -> AcrossPlane {
+    pub(crate) fn across(&self, place: f64, zeta: f64, t: f64) -> AcrossPlane {
         let SectionGeometry { width, roundness, .. } = self.outline.at(place);
         let [narrowing, rounding] = self.outline.slopes(place);
         let (left, falling) = rounded(zeta);

@@ -49,7 +49,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    pub fn new(columns: usize, strips: usize) -> Self {
+    pub(crate) fn new(columns: usize, strips: usize) -> Self {
         let lines = 2 * strips + 1;
         let mut layout = Self { columns, strips, station: Vec::new(), inner: Vec::new(), last: Vec::new(), face: 0 };
         let mut slopes = 0;
@@ -77,27 +77,27 @@ impl Layout {
     }
 
     /// Lines of nodes across the half width.
-    pub fn lines(&self) -> usize {
+    pub(crate) fn lines(&self) -> usize {
         2 * self.strips + 1
     }
 
     /// All unknowns.
-    pub fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.columns * self.station.len() + self.face
     }
 
     /// The first unknown of a station.
-    pub fn start(&self, station: usize) -> usize {
+    pub(crate) fn start(&self, station: usize) -> usize {
         station * self.station.len()
     }
 
     /// Unknowns of a station.
-    pub fn at(&self, station: usize) -> usize {
+    pub(crate) fn at(&self, station: usize) -> usize {
         if station == self.columns { self.face } else { self.station.len() }
     }
 
     /// The unknown of a number of a station: of a node through and across, value or slope, x, y or z.
-    pub fn unknown(
+    pub(crate) fn unknown(
         &self,
         station: usize,
         (through, across): (usize, usize),
@@ -110,7 +110,7 @@ impl Layout {
     }
 
     /// Where the unknowns of an element stand in the front of its column, function by function.
-    pub fn places(&self, column: usize, strip: usize) -> Vec<Option<usize>> {
+    pub(crate) fn places(&self, column: usize, strip: usize) -> Vec<Option<usize>> {
         let start = self.start(column);
         let mut places = Vec::with_capacity(ELEMENT);
         for along in 0..ALONG {

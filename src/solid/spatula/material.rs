@@ -29,13 +29,13 @@ pub(super) struct PointResponse {
 
 impl NeoHookean {
     /// Of E (GPa) and ν.
-    pub fn new(youngs_modulus: f64, poissons_ratio: f64) -> Self {
+    pub(crate) fn new(youngs_modulus: f64, poissons_ratio: f64) -> Self {
         let shear = youngs_modulus / (2.0 * (1.0 + poissons_ratio));
         Self { shear, first: 2.0 * shear * poissons_ratio / (1.0 - 2.0 * poissons_ratio) }
     }
 
     /// At the displacement gradient H = F - 1; not a number where J is not above zero.
-    pub fn at(&self, h: &[Vector; 3]) -> PointResponse {
+    pub(crate) fn at(&self, h: &[Vector; 3]) -> PointResponse {
         let f: [Vector; 3] = std::array::from_fn(|i| std::array::from_fn(|j| h[i][j] + f64::from(u8::from(i == j))));
         let cofactor: [Vector; 3] = std::array::from_fn(|i| {
             let (a, b) = (&f[(i + 1) % 3], &f[(i + 2) % 3]);
@@ -58,7 +58,7 @@ impl NeoHookean {
     }
 
     /// P, GPa, of a response at the displacement gradient H.
-    pub fn stress(&self, h: &[Vector; 3], response: &PointResponse) -> [Vector; 3] {
+    pub(crate) fn stress(&self, h: &[Vector; 3], response: &PointResponse) -> [Vector; 3] {
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let own = h[i][j] + f64::from(u8::from(i == j));

@@ -21,22 +21,12 @@ pub struct SpatulaMesh {
     pub adhering: f64,
 }
 
-impl SpatulaMesh {
-    /// The same with every column along S cut in two.
-    pub fn halved(&self) -> Self {
-        let pairs = self.stations.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
-        Self { stations: pairs.chain(self.stations.last().copied()).collect(), ..self.clone() }
-    }
-}
-
 /// Points along S of an element of the underside: five where it is 2 nm long and r0 is 0.4 nm, eight at 4 nm.
 const FACE_POINTS: f64 = 3.0;
 const A_FACE_POINT: f64 = 2.0;
 const MOST_FACE_POINTS: usize = 20;
 /// What is added to a gap before a change is taken relative to it, over r0.
 const GAP_SCALE: f64 = 0.05;
-/// With no point nearer than this, over r0, nothing adheres.
-const DETACHED: f64 = 10.0;
 
 /// A spatula as a solid in space, in the grip of a machine that moves its end face along y.
 ///
@@ -94,11 +84,6 @@ impl SolidSpatula {
         };
         let heights = mesh.stations.iter().enumerate().map(height).collect();
         Self { mesh, layout, elements, places, heights, ground, material, youngs_modulus }
-    }
-
-    /// S of the stations, nm.
-    pub fn stations(&self) -> &[f64] {
-        &self.mesh.stations
     }
 
     /// Number of elements.
@@ -175,7 +160,7 @@ impl SolidSpatula {
     }
 
     /// The smallest gap of the underside at each station, nm.
-    pub fn gaps(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn gaps(&self, values: &[f64]) -> Vec<f64> {
         let own = |station: usize| {
             let gap = |(line, height): (usize, &f64)| {
                 let unknown = self.layout.unknown(station, (0, line), false, 1);
@@ -191,14 +176,8 @@ impl SolidSpatula {
         self.mesh.stations.partition_point(|&place| place <= self.mesh.adhering)
     }
 
-    /// Whether no node of the underside is nearer to the ground than 10 r0.
-    pub fn is_detached(&self, values: &[f64]) -> bool {
-        let cutoff = DETACHED * self.ground.equilibrium_distance;
-        self.gaps(values).into_iter().take(self.adhering_stations()).all(|gap| gap > cutoff)
-    }
-
     /// S of the last station from the tip on at which the gap is below twice that of the largest attraction, nm: where the front is.
-    pub fn front(&self, values: &[f64]) -> f64 {
+    pub(crate) fn front(&self, values: &[f64]) -> f64 {
         let near = 2.0 * self.ground.strongest_gap();
         let gaps = self.gaps(values);
         let last = (0..self.adhering_stations()).rev().find(|&station| gaps[station] < near);
@@ -206,7 +185,7 @@ impl SolidSpatula {
     }
 
     /// Values of this state on another mesh of the same body, whose lines across are the same: displacements and slopes at its stations.
-    pub fn transferred(&self, values: &[f64], to: &Self) -> Vec<f64> {
+    pub(crate) fn transferred(&self, values: &[f64], to: &Self) -> Vec<f64> {
         let mut found = vec![0.0; to.unknowns()];
         for station in 0..to.layout.columns {
             let place = to.mesh.stations[station];

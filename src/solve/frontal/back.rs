@@ -9,13 +9,13 @@ use crate::number::{F64x4, Real};
 
 impl<const F: usize> FrontalFactors<F> {
     /// The direction that solves K q = `scale` R with the root known.
-    pub fn recover(&self, root: &[f64; F], scale: f64, out: &mut [f64]) {
+    pub(crate) fn recover(&self, root: &[f64; F], scale: f64, out: &mut [f64]) {
         out[self.forest.root[1] * F..][..F].copy_from_slice(root);
         recover(self, scale, out);
     }
 
     /// Takes a right-hand side down to the root.
-    pub fn reduce(&self, right: &mut [f64], transposed: bool) -> [f64; F] {
+    pub(crate) fn reduce(&self, right: &mut [f64], transposed: bool) -> [f64; F] {
         let (order, mut x) = (self.forest.order, [[0.0; F]; MOST_NODES]);
         for (e, b, l) in self.forest.inwards() {
             // plain, the equations of what is held do not take part
@@ -32,7 +32,7 @@ impl<const F: usize> FrontalFactors<F> {
     }
 
     /// From a reduced right-hand side and the solution at the root to the whole.
-    pub fn substitute(&self, root: &[f64; F], right: &mut [f64], transposed: bool) {
+    pub(crate) fn substitute(&self, root: &[f64; F], right: &mut [f64], transposed: bool) {
         right[self.forest.root[1] * F..][..F].copy_from_slice(root);
         let (order, mut x) = (self.forest.order, [[0.0; F]; MOST_NODES]);
         for (e, b, l) in self.forest.inwards().rev() {

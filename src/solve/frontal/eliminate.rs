@@ -14,7 +14,7 @@ use std::sync::Arc;
 const LEAST_PIVOT: f64 = f64::MIN_POSITIVE * 1e20;
 
 /// A structure at a state, as its elimination sees it.
-pub trait Fronts<const F: usize> {
+pub(crate) trait Fronts<const F: usize> {
     /// Room to integrate in.
     type Room;
 
@@ -36,7 +36,7 @@ pub trait Fronts<const F: usize> {
 }
 
 /// What an elimination leaves for the way back, and room for it.
-pub struct FrontalFactors<const F: usize> {
+pub(crate) struct FrontalFactors<const F: usize> {
     pub(super) forest: Arc<Forest>,
     /// Bundle by bundle
     pub(super) inside: Vec<F64x4>,
@@ -80,7 +80,7 @@ impl<const F: usize> Default for FrontalFactors<F> {
 
 impl<const F: usize> FrontalFactors<F> {
     /// Begins an elimination of a forest: what its joints have of their own, all zero, to be filled in.
-    pub fn begin(&mut self, forest: Arc<Forest>) -> &mut [Carry<F>] {
+    pub(crate) fn begin(&mut self, forest: Arc<Forest>) -> &mut [Carry<F>] {
         self.inside.resize(forest.bundles.len() * packed_length::<F>(forest.order), F64x4::splat(0.0));
         self.ends.resize(forest.pieces.len(), [EndRow::ZERO; F]);
         self.below.resize(forest.pieces.len(), [[0.0; F]; F]);
@@ -96,7 +96,7 @@ impl<const F: usize> FrontalFactors<F> {
     ///
     /// # Errors
     /// A pivot that is zero to rounding, a number that is not finite.
-    pub fn eliminate<S: Fronts<F>, N: Nodes>(
+    pub(crate) fn eliminate<S: Fronts<F>, N: Nodes>(
         &mut self,
         structure: &S,
         added: NodalTerms,
@@ -202,7 +202,7 @@ fn add_inside<const F: usize>(
 
 impl Eliminated<INTERFACE> {
     /// The system on its interface, the root.
-    pub fn condensed(&self, evaluation: Evaluation) -> CondensedSystem {
+    pub(crate) fn condensed(&self, evaluation: Evaluation) -> CondensedSystem {
         CondensedSystem {
             matrix: self.root.tangent,
             residual: self.root.residual,

@@ -6,7 +6,7 @@ use crate::number::F64x4;
 
 /// An equation of the block, or its functional.
 #[derive(Clone, Copy, Debug)]
-pub struct EndRow<const F: usize> {
+pub(crate) struct EndRow<const F: usize> {
     /// Columns of the far end, then of the near one
     pub ends: [[f64; F]; 2],
     /// Column of the residual
@@ -14,7 +14,7 @@ pub struct EndRow<const F: usize> {
 }
 
 /// What stands below the pivots of the far end in the rows of the near one.
-pub type BelowEnd<const F: usize> = [[f64; F]; F];
+pub(crate) type BelowEnd<const F: usize> = [[f64; F]; F];
 
 /// What is left of all that a joint carries: its equations, and the functional.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +31,8 @@ pub struct Carry<const F: usize> {
 
 impl<const F: usize> Carry<F> {
     /// Nothing.
-    pub const ZERO: Self = Self { tangent: [[0.0; F]; F], residual: [0.0; F], path: [0.0; F], path_residual: 0.0 };
+    pub(crate) const ZERO: Self =
+        Self { tangent: [[0.0; F]; F], residual: [0.0; F], path: [0.0; F], path_residual: 0.0 };
 
     /// Adds what another element leaves on the joint.
     pub(super) fn add(&mut self, other: &Self) {
@@ -69,13 +70,13 @@ impl<const F: usize> EndRow<F> {
 impl<const F: usize> EndBlock<F> {
     /// All zero.
     #[inline(always)]
-    pub fn zero() -> Self {
+    pub(crate) fn zero() -> Self {
         Self { rows: [[EndRow::ZERO; F]; 2], path: EndRow::ZERO }
     }
 
     /// Takes what condensation left of element `l` of a front, which is symmetric; `near` of its ends, 0 at its left or 1, is the near one.
     #[inline(always)]
-    pub fn take(&mut self, nodes: impl Nodes, front: &FrontalMatrix<F64x4, F>, l: usize, near: usize) {
+    pub(crate) fn take(&mut self, nodes: impl Nodes, front: &FrontalMatrix<F64x4, F>, l: usize, near: usize) {
         let (first, places) = (nodes.count() - 2, [1 - near, near]);
         for a in 0..2 {
             for f in 0..F {
@@ -97,7 +98,7 @@ impl<const F: usize> EndBlock<F> {
 
     /// Adds what is carried to the far end.
     #[inline(always)]
-    pub fn unload(&mut self, carry: &Carry<F>) {
+    pub(crate) fn unload(&mut self, carry: &Carry<F>) {
         for i in 0..F {
             let row = &mut self.rows[0][i];
             (0..F).for_each(|j| row.ends[0][j] += carry.tangent[i][j]);
@@ -108,7 +109,7 @@ impl<const F: usize> EndBlock<F> {
     }
 
     /// Puts in place of equations of the far end by how much what is held there is off.
-    pub fn hold(&mut self, off: &[Option<f64>; F]) {
+    pub(crate) fn hold(&mut self, off: &[Option<f64>; F]) {
         for f in 0..F {
             let Some(off) = off[f] else { continue };
             self.rows[0][f] = EndRow::ZERO;
@@ -119,7 +120,7 @@ impl<const F: usize> EndBlock<F> {
 
     /// Eliminates the far end; each pivot is replaced by one over it. How many pivots were negative, and the least without its sign.
     #[inline(always)]
-    pub fn eliminate(&mut self) -> (usize, f64) {
+    pub(crate) fn eliminate(&mut self) -> (usize, f64) {
         let (mut negative, mut least) = (0, f64::INFINITY);
         for k in 0..F {
             let pivot_row = self.rows[0][k];
@@ -138,13 +139,13 @@ impl<const F: usize> EndBlock<F> {
 
     /// What stands below the pivots.
     #[inline(always)]
-    pub fn below(&self) -> BelowEnd<F> {
+    pub(crate) fn below(&self) -> BelowEnd<F> {
         std::array::from_fn(|i| self.rows[1][i].ends[0])
     }
 
     /// What is left on the near end.
     #[inline(always)]
-    pub fn load(&self) -> Carry<F> {
+    pub(crate) fn load(&self) -> Carry<F> {
         Carry {
             tangent: std::array::from_fn(|i| self.rows[1][i].ends[1]),
             residual: std::array::from_fn(|i| self.rows[1][i].residual),

@@ -4,7 +4,7 @@ use super::nodes::BUNDLE;
 
 /// An element as its elimination sees it: from its far end to its near one, which leads to the root.
 #[derive(Clone, Copy, Debug)]
-pub struct Piece {
+pub(crate) struct Piece {
     /// Numbers of its far and of its near node
     pub ends: [usize; 2],
     /// Where the near one stands: 0 at its left, 1 at its right
@@ -21,7 +21,7 @@ pub struct Piece {
 
 /// Elements that are integrated and condensed side by side, by their numbers or by how a structure names them.
 #[derive(Clone, Copy, Debug)]
-pub struct Bundle<E = usize> {
+pub(crate) struct Bundle<E = usize> {
     /// The elements; behind the last one it is repeated.
     pub lanes: [E; BUNDLE],
     /// How many there are
@@ -30,7 +30,7 @@ pub struct Bundle<E = usize> {
 
 /// Elements of one order whose ends meet in joints, without a loop.
 #[derive(Clone, Debug, Default)]
-pub struct Forest {
+pub(crate) struct Forest {
     /// Order p of its elements
     pub order: usize,
     /// By their numbers
@@ -53,7 +53,7 @@ impl Piece {
 
 impl<E: Copy> Bundle<E> {
     /// Of up to four elements; panics where there is none.
-    pub fn of(elements: &[E]) -> Self {
+    pub(crate) fn of(elements: &[E]) -> Self {
         let count = elements.len().min(BUNDLE);
         Self { lanes: std::array::from_fn(|l| elements[l.min(count - 1)]), count }
     }
@@ -61,7 +61,7 @@ impl<E: Copy> Bundle<E> {
 
 impl Forest {
     /// A chain of elements whose nodes are numbered from left to right: joint 0 is its left end, joint 1, the root, its right one.
-    pub fn chain(elements: usize, order: usize) -> Self {
+    pub(crate) fn chain(elements: usize, order: usize) -> Self {
         let piece = |e: usize| Piece {
             ends: [e * order, (e + 1) * order],
             near: 1,

@@ -28,7 +28,7 @@ pub struct FrontalMatrix<T, const F: usize> {
 
 /// What elimination reports of its pivots.
 #[derive(Clone, Copy, Debug)]
-pub struct Pivots<T> {
+pub(crate) struct Pivots<T> {
     /// The smallest, without its sign.
     pub least: T,
     /// How many were negative.
@@ -132,7 +132,7 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
 
     /// Clears the gradient, the border and the path.
     #[inline(always)]
-    pub fn clear_gradient<const BORDER: bool>(&mut self, nodes: impl Nodes) {
+    pub(crate) fn clear_gradient<const BORDER: bool>(&mut self, nodes: impl Nodes) {
         let zero = T::splat(0.0);
         for row in &mut self.rows.as_flattened_mut()[..F * nodes.count()] {
             (row.border, row.residual) = (zero, zero);
@@ -146,7 +146,7 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
     /// Eliminates the interior nodes, without pivoting; each pivot is replaced by one over it. Where the tangent is
     /// `symmetric`, nothing below its diagonal is looked at.
     #[inline(always)]
-    pub fn condense<const BORDER: bool>(&mut self, nodes: impl Nodes, symmetric: bool) -> Pivots<T> {
+    pub(crate) fn condense<const BORDER: bool>(&mut self, nodes: impl Nodes, symmetric: bool) -> Pivots<T> {
         let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
         let inside = F * (nodes.count() - 2);
         // two at a time: half as often every number below is read and written
@@ -162,7 +162,7 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
     /// The same of a symmetric tangent without a border, a node at a time: every number below is read and written F times
     /// less often.
     #[inline(always)]
-    pub fn condense_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
+    pub(crate) fn condense_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
         let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
         for a in 0..nodes.count() - 2 {
             let (done, below) = self.rows[..nodes.count()].split_at_mut(a + 1);

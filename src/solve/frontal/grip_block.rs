@@ -36,7 +36,7 @@ pub(in crate::solve) struct GripStep {
 }
 
 impl<'p> GripBlock<'p> {
-    pub fn new(
+    pub(crate) fn new(
         problem: &'p Problem,
         root: &CondensedSystem,
         at: &State,
@@ -136,19 +136,19 @@ impl<'p> GripBlock<'p> {
     }
 
     /// What removes this multiple of the residual.
-    pub fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
+    pub(crate) fn solve(&self, scale: f64) -> Result<GripStep, SolveError> {
         self.step(self.residual * scale)
     }
 
     /// Change along the path per unit of the constraint's target.
-    pub fn tangent(&self) -> Result<GripStep, SolveError> {
+    pub(crate) fn tangent(&self) -> Result<GripStep, SolveError> {
         let mut right = SVector::<f64, BLOCK>::zeros();
         right[self.interface] = 1.0;
         self.step(right)
     }
 
     /// Solves the block for a right-hand side `right` of the interface and `last` of the path constraint; what is held does not move.
-    pub fn solve_right(&self, right: &[f64; INTERFACE], last: f64) -> Result<GripStep, SolveError> {
+    pub(crate) fn solve_right(&self, right: &[f64; INTERFACE], last: f64) -> Result<GripStep, SolveError> {
         let grip = &self.problem.grip;
         let mut vector = SVector::<f64, BLOCK>::zeros();
         vector.as_mut_slice()[..self.interface].copy_from_slice(&right[..self.interface]);
@@ -162,7 +162,7 @@ impl<'p> GripBlock<'p> {
 
     /// Solves the transpose of the block: for the derivatives of a functional by the unknowns of the interface and by the force, the
     /// multipliers of the interface's equations and of the path constraint. Those of what is held are zero.
-    pub fn solve_transposed(
+    pub(crate) fn solve_transposed(
         &self,
         right: &[f64; INTERFACE],
         force: f64,
@@ -195,7 +195,7 @@ impl<'p> GripBlock<'p> {
     /// P + t M, what works on u. A multiplier adds one negative eigenvalue that is none of the structure's. Where the displacement is that of a
     /// spring's far end, ½k(U - u)² adds k to the diagonal of the driven unknown, which is left out where k is infinite: one
     /// more than with u held where dP/du + k < 0, by the Schur complement dP/du of that unknown.
-    pub fn inertia(&self, inside: usize) -> (usize, usize) {
+    pub(crate) fn inertia(&self, inside: usize) -> (usize, usize) {
         let grip = &self.problem.grip;
         let free = (0..self.interface).filter(|&slot| !grip.held[slot]);
         let rigid = grip.compliance == 0.0;

@@ -44,7 +44,7 @@ pub(super) struct Interior<'a, const F: usize> {
 
 impl<'a, const F: usize> Interior<'a, F> {
     #[inline(always)]
-    pub fn new(order: usize, rows: &'a [F64x4]) -> Self {
+    pub(crate) fn new(order: usize, rows: &'a [F64x4]) -> Self {
         let (pivots, unknowns) = counts::<F>(order);
         Self { rows, pivots, unknowns }
     }
@@ -60,7 +60,7 @@ impl<'a, const F: usize> Interior<'a, F> {
 
     /// The interiors of the direction that solves K q = `scale` R, whose ends are known.
     #[inline(always)]
-    pub fn recover(&self, scale: f64, x: &mut OfNodes<F64x4, F>) {
+    pub(crate) fn recover(&self, scale: f64, x: &mut OfNodes<F64x4, F>) {
         let x = x.as_flattened_mut();
         for k in (0..self.pivots).rev() {
             let (inverse, entries, residual) = self.row(k);
@@ -85,7 +85,7 @@ impl<'a, const F: usize> Interior<'a, F> {
     }
 
     /// Of element `l`, takes what the interior is loaded with off the unknowns behind it; of the ends, off those that take part.
-    pub fn forward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
+    pub(crate) fn forward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
         let (x, taking_part) = (x.as_flattened_mut(), taking_part.as_flattened());
         for k in 0..self.pivots {
             let (inverse, entries, _) = self.row(k);
@@ -99,7 +99,7 @@ impl<'a, const F: usize> Interior<'a, F> {
     }
 
     /// The interior of element `l` in a solution whose ends are known, of which some take part.
-    pub fn backward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
+    pub(crate) fn backward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
         let x = x.as_flattened_mut();
         for (end, takes_part) in taking_part.as_flattened().iter().enumerate() {
             if !takes_part {

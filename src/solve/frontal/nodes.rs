@@ -3,7 +3,7 @@
 /// The most nodes an element can have.
 pub const MOST_NODES: usize = 9;
 /// Elements that are treated side by side.
-pub const BUNDLE: usize = 4;
+pub(crate) const BUNDLE: usize = 4;
 
 /// How many nodes an element has, p + 1: known when the program is compiled, which is faster, or when it runs.
 pub trait Nodes: Copy {
@@ -19,7 +19,7 @@ pub struct Fixed<const N: usize>;
 
 /// Any number of nodes.
 #[derive(Clone, Copy, Debug)]
-pub struct AnyNumber(usize);
+pub(crate) struct AnyNumber(usize);
 
 impl<const N: usize> Nodes for Fixed<N> {
     #[inline(always)]

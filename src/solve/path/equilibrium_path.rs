@@ -96,7 +96,7 @@ impl<'p> Path<'p> {
     }
 
     /// The same, with no solve begun once `should_stop` says so.
-    pub fn until(self, should_stop: Option<ShouldStop>) -> Self {
+    pub(crate) fn until(self, should_stop: Option<ShouldStop>) -> Self {
         Self { ws: Workspace::until(should_stop), ..self }
     }
 
@@ -106,7 +106,7 @@ impl<'p> Path<'p> {
     }
 
     /// What the material points remember behind the newest point.
-    pub fn history(&self) -> Option<&History> {
+    pub(crate) fn history(&self) -> Option<&History> {
         self.history.as_deref()
     }
 

@@ -48,7 +48,7 @@ impl Hermite {
     }
 
     /// A zero of the first derivative between two places at which it differs in sign.
-    pub fn turning_point(&self, from: f64, to: f64) -> f64 {
+    pub(crate) fn turning_point(&self, from: f64, to: f64) -> f64 {
         let rising = self.at(from).1 < self.at(to).1;
         let is_before = |place: f64| (self.at(place).1 < 0.0) == rising;
         let narrow = SHARP * (to - from);

@@ -16,7 +16,7 @@ const ON_CUSP: f64 = 1e-2;
 
 /// What changes of an observable are noticed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Notice {
+pub(crate) enum Notice {
     /// Those that are no smaller than a share of its scale.
     #[default]
     Scale,
@@ -39,7 +39,7 @@ impl Notice {
     }
 
     /// What is noticed where that does not suffice.
-    pub fn finer(self) -> Option<Self> {
+    pub(crate) fn finer(self) -> Option<Self> {
         match self {
             Self::Scale => Some(Self::Rest),
             Self::Rest => Some(Self::Cusp),
@@ -51,7 +51,7 @@ impl Notice {
 /// Units of the observables that measure the path, from how they change along a segment of it. What does not measure it has an
 /// infinite unit.
 #[derive(Clone, Copy, Debug)]
-pub struct Metric {
+pub(crate) struct Metric {
     monitors: [f64; MONITORS],
     displacement: f64,
     force: f64,
@@ -60,7 +60,7 @@ pub struct Metric {
 
 impl Metric {
     /// The largest change of each from point to point, with the least ones those that are noticed at `newest`.
-    pub fn of<'a>(
+    pub(crate) fn of<'a>(
         problem: &Problem,
         notice: Notice,
         newest: &Observables,
@@ -91,12 +91,12 @@ impl Metric {
     }
 
     /// Whether no monitor has changed by as much as is noticed.
-    pub fn notices_displacement_alone(&self, problem: &Problem) -> bool {
+    pub(crate) fn notices_displacement_alone(&self, problem: &Problem) -> bool {
         self.monitors.iter().zip(problem.measure.monitors).all(|(unit, scale)| *unit <= NOTICED * scale)
     }
 
     /// Weights of the path parameter that is the length along `direction`.
-    pub fn weights(&self, direction: &Observables) -> Observables {
+    pub(crate) fn weights(&self, direction: &Observables) -> Observables {
         let dual = Observables {
             monitors: std::array::from_fn(|k| direction.monitors[k] / self.monitors[k].powi(2)),
             displacement: direction.displacement / self.displacement.powi(2),
@@ -108,12 +108,12 @@ impl Metric {
     }
 
     /// A direction with the length one.
-    pub fn unit(&self, direction: &Observables) -> Observables {
+    pub(crate) fn unit(&self, direction: &Observables) -> Observables {
         direction.times(1.0 / self.weights(direction).dot(direction))
     }
 
     /// Cosine of the angle between two directions.
-    pub fn cosine(&self, a: &Observables, b: &Observables) -> f64 {
+    pub(crate) fn cosine(&self, a: &Observables, b: &Observables) -> f64 {
         let length = self.weights(b).dot(b);
         self.weights(a).dot(b) / length
     }

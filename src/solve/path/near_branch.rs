@@ -13,7 +13,7 @@ use nalgebra::DVector;
 use serde::{Deserialize, Serialize};
 
 /// A step that leads to another branch is shortened by this.
-pub const SHORTER: f64 = 0.3;
+pub(crate) const SHORTER: f64 = 0.3;
 /// Where it still does when it is this share of the first that did, the path does branch there.
 const CROSSES: f64 = 1e-5;
 /// Error wanted of a prediction, relative as in [`crate::solve::System::size`]: so little that neither branch can be taken for the other. Without it
@@ -32,7 +32,7 @@ const BEYOND: f64 = 0.1;
 
 /// Where a step next to another branch has led.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum StepSeen {
+pub(crate) enum StepSeen {
     /// On along the path
     OnPath,
     /// To another branch, or nobody knows where; `across` where the next one is to lead across the branch point.
@@ -42,7 +42,7 @@ pub enum StepSeen {
 
 /// A place where a step has led to another branch.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub struct NearBranch {
+pub(crate) struct NearBranch {
     /// Where the step began.
     from: Observables,
     /// How far it led.
@@ -51,14 +51,14 @@ pub struct NearBranch {
 
 impl NearBranch {
     /// The place ahead of a step that leads to another branch.
-    pub fn ahead(problem: &Problem, newest: &Solution, next: &Solution) -> Self {
+    pub(crate) fn ahead(problem: &Problem, newest: &Solution, next: &Solution) -> Self {
         let from = newest.observables;
         Self { from, first: problem.apart(&from, &next.observables) }
     }
 
     /// Where a step has led, on from the two newest points. One whose Newton's method was in doubt between branches, or across which the tangent turns
     /// otherwise than before, says nothing; across the branch point the path goes on along the branch that it is on, whose stability changes.
-    pub fn seen(
+    pub(crate) fn seen(
         &self,
         problem: &Problem,
         [before, newest]: [&Solution; 2],
@@ -79,22 +79,22 @@ impl NearBranch {
     }
 
     /// Whether a step leaves it behind.
-    pub fn is_behind(&self, problem: &Problem, newest: &Solution, next: &Solution) -> bool {
+    pub(crate) fn is_behind(&self, problem: &Problem, newest: &Solution, next: &Solution) -> bool {
         changes_branch(problem, newest, next) || problem.apart(&self.from, &next.observables) > PAST * self.first
     }
 
     /// The step across, along a slope, in what the weights measure: at the branch point itself no equilibrium is certain.
-    pub fn step_across(&self, problem: &Problem, weights: &Observables, slope: &Observables) -> f64 {
+    pub(crate) fn step_across(&self, problem: &Problem, weights: &Observables, slope: &Observables) -> f64 {
         BEYOND * self.first * weights.dot(slope) / problem.apart(&Observables::default(), slope)
     }
 
     /// Whether a step in these units is so short that the path may branch there.
-    pub fn is_short(&self, problem: &Problem, weights: &Observables, slope: &Observables, step: f64) -> bool {
+    pub(crate) fn is_short(&self, problem: &Problem, weights: &Observables, slope: &Observables, step: f64) -> bool {
         step <= CROSSES / BEYOND * self.step_across(problem, weights, slope)
     }
 
     /// Error wanted of a prediction where `asked` suffices elsewhere.
-    pub fn step_tolerance(near: Option<&Self>, asked: f64) -> f64 {
+    pub(crate) fn step_tolerance(near: Option<&Self>, asked: f64) -> f64 {
         near.map_or(asked, |_| asked.min(TOLERANCE))
     }
 }
@@ -116,14 +116,14 @@ fn unit_tangent(problem: &Problem, point: &Solution) -> DVector<f64> {
 }
 
 /// Whether a step has gone to another branch where branches are looked for: in systems that have such, and on paths that are watched.
-pub fn leads_elsewhere(problem: &Problem, pace: Pace, newest: &Solution, next: &Solution) -> bool {
+pub(crate) fn leads_elsewhere(problem: &Problem, pace: Pace, newest: &Solution, next: &Solution) -> bool {
     let watched = problem.system.has_near_branches() || pace == Pace::Watchful && !is_mirrored(newest, next);
     watched && changes_branch(problem, newest, next)
 }
 
 /// Whether displacement and force turn on a step and no eigenvalue changes its sign: so does the path of a structure that passes a symmetric state and
 /// goes on as its own mirror image.
-pub fn is_mirrored(newest: &Solution, next: &Solution) -> bool {
+pub(crate) fn is_mirrored(newest: &Solution, next: &Solution) -> bool {
     turns(newest, next, |slope| slope.displacement)
         && turns(newest, next, |slope| slope.force)
         && (newest.negative, newest.negative_load) == (next.negative, next.negative_load)

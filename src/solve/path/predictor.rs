@@ -18,20 +18,20 @@ pub const MOST_POINTS: usize = 8;
 const FORCE: f64 = 0.3;
 
 /// Lagrange weights at `at` for the nodes `labels`.
-pub fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
+pub(crate) fn lagrange_weights(labels: &[f64], at: f64) -> Vec<f64> {
     (0..labels.len())
         .map(|i| (0..labels.len()).filter(|&j| j != i).map(|j| (at - labels[j]) / (labels[i] - labels[j])).product())
         .collect()
 }
 
 /// Combination of stored points with the given weights; the mesh follows the combined monitors.
-pub fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
+pub(crate) fn combine(problem: &Problem, points: &[Arc<Solution>], weights: &[f64]) -> State {
     on_mesh_of(problem, points, weights, followed(problem, points, weights))
 }
 
 /// The state a step on from the newest point, extrapolated through the newest `count` points; the mesh moves on even where a single point is
 /// taken, because the error of a prediction is measured on the mesh that its solution has.
-pub fn predicted(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], count: usize, step: f64) -> State {
+pub(crate) fn predicted(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], count: usize, step: f64) -> State {
     let moving = count.max(2).min(points.len());
     let followed = followed(problem, &points[..moving], &lagrange_weights(&labels[..moving], step));
     on_mesh_of(problem, &points[..count], &lagrange_weights(&labels[..count], step), followed)
@@ -78,7 +78,13 @@ fn counted<'a>(problem: &Problem, at: &'a State) -> Cow<'a, [f64]> {
 
 /// Errors at `solution` of the extrapolations through the newest 1, 2, … points (newest first, at `labels`), relative as
 /// in [`crate::solve::System::size`], or of the force, relative to itself and its scale.
-pub fn errors(problem: &Problem, points: &[Arc<Solution>], labels: &[f64], solution: &Solution, at: f64) -> Vec<f64> {
+pub(crate) fn errors(
+    problem: &Problem,
+    points: &[Arc<Solution>],
+    labels: &[f64],
+    solution: &Solution,
+    at: f64,
+) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
     let aligned = solution.aligned(problem);
     let reached = &*counted(problem, aligned);
@@ -132,7 +138,7 @@ pub fn longest_step(labels: &[f64], count: usize, error: f64, tolerance: f64, mo
 }
 
 /// The error that an extrapolation through `count` points is expected to make a step on, given the one that it made at the newest point.
-pub fn expected_error(labels: &[f64], count: usize, error: f64, step: f64) -> f64 {
+pub(crate) fn expected_error(labels: &[f64], count: usize, error: f64, step: f64) -> f64 {
     error * distances(labels, count, step) / last_distances(labels, count)
 }
 

@@ -106,24 +106,29 @@ impl PathSegment {
     }
 
     /// The known solution between the labels `from` and `to` at which a quantity is least, or largest.
-    pub fn extreme(&self, pick: fn(&Observables) -> f64, least: bool, (from, to): (f64, f64)) -> Option<Arc<Solution>> {
+    pub(crate) fn extreme(
+        &self,
+        pick: fn(&Observables) -> f64,
+        least: bool,
+        (from, to): (f64, f64),
+    ) -> Option<Arc<Solution>> {
         let known = self.labels.iter().zip(&self.points).filter(|&(label, _)| (from..=to).contains(label));
         let value = |point: &Solution| if least { -pick(&point.observables) } else { pick(&point.observables) };
         known.map(|(_, point)| point.clone()).max_by(|a, b| value(a).total_cmp(&value(b)))
     }
 
     /// The constraint's target for the label `at`.
-    pub fn target(&self, at: f64) -> f64 {
+    pub(crate) fn target(&self, at: f64) -> f64 {
         self.weights.dot(&self.points[0].observables) + at - self.labels[0]
     }
 
     /// The label of a place on the path.
-    pub fn label(&self, observables: &Observables) -> f64 {
+    pub(crate) fn label(&self, observables: &Observables) -> f64 {
         self.weights.dot(&observables.since(&self.points[0].observables)) + self.labels[0]
     }
 
     /// Takes in a further solution; returns its label.
-    pub fn insert(&mut self, solution: Arc<Solution>) -> f64 {
+    pub(crate) fn insert(&mut self, solution: Arc<Solution>) -> f64 {
         let label = self.label(&solution.observables);
         let place = self.labels.partition_point(|&l| l < label);
         if let Some(twin) = self.twin(label, 1e-4) {
@@ -137,7 +142,7 @@ impl PathSegment {
     }
 
     /// Slopes per label at the two ends of the step.
-    pub fn end_slopes(&self) -> (Observables, Observables) {
+    pub(crate) fn end_slopes(&self) -> (Observables, Observables) {
         (self.slopes.0, self.slopes.1)
     }
 
@@ -147,7 +152,7 @@ impl PathSegment {
     }
 
     /// A start for Newton's method from the tangent of a point so near that interpolation would lose digits.
-    pub fn near(&self, problem: &Problem, at: f64) -> Option<State> {
+    pub(crate) fn near(&self, problem: &Problem, at: f64) -> Option<State> {
         let twin = self.twin(at, 1e-2)?;
         let ahead = (at - self.labels[twin]) / self.weights.dot(&self.points[twin].slope);
         Some(self.on_step(self.points[twin].moved(problem, ahead)))
@@ -165,7 +170,7 @@ impl PathSegment {
     }
 
     /// The Hermite interpolant of one observable through the points nearest to `near`.
-    pub fn observable(&self, pick: fn(&Observables) -> f64, near: f64) -> Hermite {
+    pub(crate) fn observable(&self, pick: fn(&Observables) -> f64, near: f64) -> Hermite {
         self.interpolant(pick, near, USED)
     }
 
@@ -176,7 +181,7 @@ impl PathSegment {
 
     /// How wrong the interpolant of one observable is in the middle of the step, judged by the one through one point less;
     /// none where the path turns away before and behind the step, so that only its ends are known.
-    pub fn interpolation_error(&self, pick: fn(&Observables) -> f64) -> Option<f64> {
+    pub(crate) fn interpolation_error(&self, pick: fn(&Observables) -> f64) -> Option<f64> {
         let count = self.points.len().min(USED);
         let middle = 0.5 * self.end;
         let [best, less] = [count, count - 1].map(|points| self.interpolant(pick, middle, points).at(middle).0);

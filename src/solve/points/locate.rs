@@ -30,12 +30,12 @@ pub struct Located {
 
 impl Located {
     /// Whether its numbers and their errors are finite.
-    pub fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         self.observables.is_finite() && self.difference.is_finite()
     }
 
     /// Whether its place is less certain than the accuracy `relative`, but the force does not change by a share of it over that error.
-    pub fn is_flat(&self, relative: f64) -> bool {
+    pub(crate) fn is_flat(&self, relative: f64) -> bool {
         let (o, d) = (&self.observables, &self.difference);
         let change = 0.5 * self.force_curvature * d.displacement.powi(2);
         d.displacement.abs() > 0.1 * relative * o.displacement.abs() && change.abs() < FLAT * relative * o.force.abs()
@@ -60,7 +60,7 @@ const CORNER: f64 = 1e-5;
 const NEAR: f64 = 0.05;
 
 /// Error of a solution on the way to a limit point, relative as in [`crate::solve::System::size`], and where a wary search finds no better.
-pub const ROUGH: f64 = 1e-10;
+pub(crate) const ROUGH: f64 = 1e-10;
 const WARY: f64 = 1e-8;
 
 fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
@@ -68,7 +68,7 @@ fn options(tolerance: f64, exact_slope: bool) -> NewtonOptions {
 }
 
 /// A further solution on a segment, at the label `at`, with an error of `tolerance`; from fewer points where more extrapolate badly.
-pub fn solve_on(
+pub(crate) fn solve_on(
     problem: &Problem,
     segment: &PathSegment,
     at: f64,
@@ -95,7 +95,7 @@ const MOST_TRIES: usize = 40;
 
 /// A further solution on a segment, which it joins, at the label `at`; where the start is too far away, by way of solutions
 /// between there and `from`, where one is known.
-pub fn step_to(
+pub(crate) fn step_to(
     problem: &Problem,
     segment: &mut PathSegment,
     from: f64,
@@ -300,7 +300,7 @@ fn beside(
 }
 
 /// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step, with the step as the error of both numbers.
-pub fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
+pub(crate) fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
     let end = segment.end();
     let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
     let solution = step_to(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
@@ -370,7 +370,7 @@ fn confirmed(
 }
 
 /// Difference to the solution on half as many elements again at the same displacement.
-pub fn difference_on_more_elements(
+pub(crate) fn difference_on_more_elements(
     problem: &Problem,
     coarse: &Solution,
     ws: &mut Workspace,

@@ -49,7 +49,7 @@ impl Passing {
     }
 
     /// Whether it counts where a number goes from so far above a value to so far above it.
-    pub fn counts(self, before: f64, behind: f64) -> bool {
+    pub(crate) fn counts(self, before: f64, behind: f64) -> bool {
         match self {
             Self::Either => true,
             Self::Rising => before < behind,
@@ -78,7 +78,7 @@ impl<'p> PathNumber<'p> {
     }
 
     /// What follows from an observable; `step` is that of a difference of the function.
-    pub fn following(
+    pub(crate) fn following(
         problem: &'p Problem,
         pick: fn(&Observables) -> f64,
         follows: impl Fn(f64) -> f64 + 'p,
@@ -190,7 +190,7 @@ impl<'p> SoughtValue<'p> {
     }
 
     /// With the solutions next to limit points, each with the point before it.
-    pub fn with_turns(self, turns: Vec<(usize, Arc<Solution>)>) -> Self {
+    pub(crate) fn with_turns(self, turns: Vec<(usize, Arc<Solution>)>) -> Self {
         let seen = self.seeing(turns.iter().map(|turn| &turn.1));
         Self { turns, ..seen }
     }
@@ -219,7 +219,7 @@ impl<'p> SoughtValue<'p> {
     }
 
     /// Whether the number has the value at an equilibrium, to round-off.
-    pub fn is_met(&self, solution: &Solution) -> bool {
+    pub(crate) fn is_met(&self, solution: &Solution) -> bool {
         self.above(solution).abs() <= self.tolerance
     }
 
@@ -237,7 +237,7 @@ impl<'p> SoughtValue<'p> {
     ///
     /// # Errors
     /// Where the step could not be solved, or the number is none.
-    pub fn on_step(&self, after: usize, ws: &mut Workspace) -> Result<Vec<FoundValue>, SolveError> {
+    pub(crate) fn on_step(&self, after: usize, ws: &mut Workspace) -> Result<Vec<FoundValue>, SolveError> {
         let points = self.points;
         let mut segment = PathSegment::around(self.number.problem, points, after);
         let mut known = vec![(0.0, self.above(&points[after])), (segment.end(), self.above(&points[after + 1]))];
@@ -269,7 +269,7 @@ impl<'p> SoughtValue<'p> {
 
     /// How far along the step behind a point the number first passes the value, by what is known there; none where it does not. What is no number
     /// passes at once.
-    pub fn first_passing(&self, after: usize) -> Option<f64> {
+    pub(crate) fn first_passing(&self, after: usize) -> Option<f64> {
         let segment = PathSegment::around(self.number.problem, self.points, after);
         let known = vec![(0.0, self.above(&self.points[after])), (segment.end(), self.above(&self.points[after + 1]))];
         match self.brackets(&segment, known) {

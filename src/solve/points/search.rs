@@ -41,7 +41,7 @@ const NEIGHBOURLY: f64 = 0.2;
 
 /// Second derivatives along the path, per unit of the constraint's target squared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Bends {
+pub(crate) struct Bends {
     /// d²u/dσ²
     pub displacement: f64,
     /// d²P/dσ²
@@ -50,7 +50,7 @@ pub struct Bends {
 
 impl Bends {
     /// That of the quantity that turns.
-    pub fn of(self, kind: LimitPointKind) -> f64 {
+    pub(crate) fn of(self, kind: LimitPointKind) -> f64 {
         match kind {
             LimitPointKind::Displacement => self.displacement,
             LimitPointKind::Load => self.force,
@@ -68,7 +68,7 @@ impl Bends {
 
 /// Where dg/dσ comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum BendRule {
+pub(crate) enum BendRule {
     /// The secant through the last two solves; to begin with these, which are not trusted.
     Secant(Bends),
     /// A difference of g at each solve, or, close by, the dg/dσ of a limit point of nearly the same problem.
@@ -80,7 +80,7 @@ pub enum BendRule {
 
 /// What is sought: a limit point of `kind` on a problem, with the place along the path told by `weights`.
 #[derive(Clone, Copy)]
-pub struct LimitPointSearch<'p> {
+pub(crate) struct LimitPointSearch<'p> {
     /// The structure and its grip
     pub problem: &'p Problem,
     /// Weights of the constraint.
@@ -93,7 +93,7 @@ pub struct LimitPointSearch<'p> {
 
 /// A limit point on its mesh.
 #[derive(Clone, Debug)]
-pub struct FoundLimitPoint {
+pub(crate) struct FoundLimitPoint {
     /// The solution next to it.
     pub solution: Solution,
     /// From there to the limit point, in the constraint's target.
@@ -116,14 +116,14 @@ pub struct FoundLimitPoint {
 
 impl FoundLimitPoint {
     /// The configuration at the limit point.
-    pub fn configuration(&self, problem: &Problem) -> State {
+    pub(crate) fn configuration(&self, problem: &Problem) -> State {
         self.solution.moved(problem, self.ahead)
     }
 }
 
 impl LimitPointSearch<'_> {
     /// The limit point next to `at`, on its mesh; `target` is the constraint's there.
-    pub fn run(
+    pub(crate) fn run(
         &self,
         mut at: State,
         mut target: f64,
@@ -260,7 +260,7 @@ pub enum LimitPointKind {
 
 impl LimitPointKind {
     /// The other quantity.
-    pub fn other(self) -> Self {
+    pub(crate) fn other(self) -> Self {
         match self {
             Self::Displacement => Self::Load,
             Self::Load => Self::Displacement,
@@ -268,7 +268,7 @@ impl LimitPointKind {
     }
 
     /// The quantity.
-    pub fn pick(self) -> fn(&Observables) -> f64 {
+    pub(crate) fn pick(self) -> fn(&Observables) -> f64 {
         match self {
             Self::Displacement => |o| o.displacement,
             Self::Load => |o| o.force,
@@ -276,7 +276,7 @@ impl LimitPointKind {
     }
 
     /// Negative eigenvalues of a solution with this quantity held.
-    pub fn negative(self, solution: &Solution) -> usize {
+    pub(crate) fn negative(self, solution: &Solution) -> usize {
         match self {
             Self::Displacement => solution.negative,
             Self::Load => solution.negative_load,

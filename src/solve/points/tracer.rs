@@ -71,7 +71,7 @@ pub enum TraceError {
 
 impl TraceError {
     /// What of it a solver says.
-    pub fn cause(self) -> SolveError {
+    pub(crate) fn cause(self) -> SolveError {
         match self {
             Self::Path(PathError { cause, .. }) | Self::NotLocated { cause, .. } | Self::NoBranching { cause, .. } => {
                 cause

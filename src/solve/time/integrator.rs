@@ -37,12 +37,12 @@ pub struct Crossing {
 }
 
 /// Says at which share of a step between two states an event lies; none where there is no event in it, or where it lies near enough to its end.
-pub type StepEvent<'e> = &'e dyn Fn(&State, &State) -> Option<f64>;
+pub(crate) type StepEvent<'e> = &'e dyn Fn(&State, &State) -> Option<f64>;
 
 /// How motion is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeOptions {
-    /// ρ∞ of [`GeneralisedAlpha`]
+    /// ρ∞ of the generalised α method
     pub spectral_radius: f64,
     /// How long steps are
     pub steps: StepControl,
@@ -112,7 +112,7 @@ struct Point {
 
 /// A motion inside a step that was taken.
 #[derive(Clone, Debug)]
-pub struct Inside {
+pub(crate) struct Inside {
     /// There
     pub motion: Motion,
     /// Numbers of the system there
@@ -203,22 +203,22 @@ impl<'a> TimeIntegrator<'a> {
     }
 
     /// The same in a state.
-    pub fn displacement_of(&self, at: &State) -> f64 {
+    pub(crate) fn displacement_of(&self, at: &State) -> f64 {
         self.problem.problem.displacement(at)
     }
 
     /// Where the last step began; where no step was taken, where it is.
-    pub fn before(&self) -> &State {
+    pub(crate) fn before(&self) -> &State {
         &self.points[usize::from(self.points.len() > 1)].motion.at
     }
 
     /// When the monitor of the options passed its level for the first time.
-    pub fn crossed(&self) -> Option<f64> {
+    pub(crate) fn crossed(&self) -> Option<f64> {
         self.crossed
     }
 
     /// Newton iterations, and steps that were tried, those that were refused among them.
-    pub fn effort(&self) -> (usize, usize) {
+    pub(crate) fn effort(&self) -> (usize, usize) {
         (self.iterations, self.tried)
     }
 
@@ -235,7 +235,7 @@ impl<'a> TimeIntegrator<'a> {
     ///
     /// # Errors
     /// As of [`Self::advance`].
-    pub fn advance_to_event(&mut self, until: f64, event: StepEvent) -> Result<(), TimeError> {
+    pub(crate) fn advance_to_event(&mut self, until: f64, event: StepEvent) -> Result<(), TimeError> {
         let time = self.motion().time;
         let left = until - time;
         let mut h = if left <= self.next * (1.0 + ROUNDED) { left } else { self.next };
@@ -274,7 +274,7 @@ impl<'a> TimeIntegrator<'a> {
     ///
     /// # Errors
     /// That step failed, or none was taken.
-    pub fn inside(&mut self, share: f64) -> Result<Inside, SolveError> {
+    pub(crate) fn inside(&mut self, share: f64) -> Result<Inside, SolveError> {
         let before = (self.iterations, self.tried);
         let Some(newest) = self.points.pop_front() else { return Err(SolveError::SingularGrip) };
         let tried =

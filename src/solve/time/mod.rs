@@ -6,5 +6,5 @@ pub(crate) mod rule;
 mod step;
 pub use drive::{Drive, DriveRates, Ramp};
 pub use dynamic_system::{DynamicProblem, DynamicSystem, EnergyBalance, MaterialRate, StepTerms, ViscousPower};
-pub use integrator::{Crossing, StepControl, StepEvent, TimeError, TimeIntegrator, TimeOptions};
-pub use rule::{GeneralisedAlpha, Motion};
+pub use integrator::{Crossing, StepControl, TimeError, TimeIntegrator, TimeOptions};
+pub use rule::Motion;

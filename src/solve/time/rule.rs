@@ -13,7 +13,7 @@ use crate::solve::state::State;
 
 /// The rule of one spectral radius.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct GeneralisedAlpha {
+pub(crate) struct GeneralisedAlpha {
     /// α_m
     pub alpha_m: f64,
     /// α_f
@@ -34,7 +34,7 @@ pub(super) struct EndRates {
 
 impl GeneralisedAlpha {
     /// With the spectral radius ρ∞ at infinite frequency, from 0 (these are gone after a step) to 1 (nothing is damped).
-    pub fn new(spectral_radius: f64) -> Self {
+    pub(crate) fn new(spectral_radius: f64) -> Self {
         let rho = spectral_radius.clamp(0.0, 1.0);
         let (alpha_m, alpha_f) = ((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0));
         let gamma = 0.5 - alpha_m + alpha_f;
@@ -42,7 +42,7 @@ impl GeneralisedAlpha {
     }
 
     /// β': the derivative of the acceleration by x, 1/time².
-    pub fn mass_factor(&self, h: f64) -> f64 {
+    pub(crate) fn mass_factor(&self, h: f64) -> f64 {
         (1.0 - self.alpha_m) / (self.beta * h * h * (1.0 - self.alpha_f))
     }
 

@@ -58,7 +58,7 @@ pub(super) struct Taken {
 
 impl Step<'_> {
     /// Takes it from a prediction of where it ends.
-    pub fn take(&self, predicted: State, ws: &mut Workspace) -> Result<Taken, SolveError> {
+    pub(crate) fn take(&self, predicted: State, ws: &mut Workspace) -> Result<Taken, SolveError> {
         if ws.is_stopped() {
             return Err(SolveError::Stopped);
         }

@@ -33,7 +33,7 @@ impl Default for Accuracy {
 
 impl Accuracy {
     /// What a relative error may be: less is lost in round-off, more is no accuracy.
-    pub const RELATIVE: Range = Range::From(1e-11, 1e-2);
+    pub(crate) const RELATIVE: Range = Range::From(1e-11, 1e-2);
 
     /// Whether its numbers have a meaning. The analyses ask this first.
     ///
@@ -93,7 +93,7 @@ impl Choice {
     pub const NOTHING: Self =
         Self { order: None, elements: None, step: None, mesh: MeshKind::Moving, form: Form::TwoField };
     /// What the error of a prediction may be, relative to the gap.
-    pub const STEP: Range = Range::From(1e-6, 0.5);
+    pub(crate) const STEP: Range = Range::From(1e-6, 0.5);
 }
 
 /// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to

@@ -72,7 +72,7 @@ pub struct StationAt {
 }
 
 /// A number of an equilibrium, by its fields.
-pub type OfFields<F> = Arc<dyn Fn(&F) -> f64 + Send + Sync>;
+pub(crate) type OfFields<F> = Arc<dyn Fn(&F) -> f64 + Send + Sync>;
 
 /// What passes a value in an event.
 #[derive(Clone)]

@@ -56,7 +56,7 @@ pub(in crate::study) struct Locator<'p> {
 
 impl<'p> Locator<'p> {
     /// Of an event on the points of a path, with the solutions next to its limit points.
-    pub fn new(
+    pub(crate) fn new(
         model: &'p PeelModel,
         problem: &'p BeamProblem,
         points: &'p [Arc<Solution>],
@@ -95,7 +95,7 @@ impl<'p> Locator<'p> {
     }
 
     /// An equilibrium that was located, on as many elements as bring its bounds down to what was asked for, and these.
-    pub fn bounded(
+    pub(crate) fn bounded(
         &self,
         found: &Arc<Solution>,
         segment: &PathSegment,

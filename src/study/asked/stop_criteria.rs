@@ -29,7 +29,7 @@ pub enum StopReason {
 }
 
 /// Says at a stage why a run is to stop, if it is. It is asked often, and from any thread.
-pub type StopCheck = Arc<dyn Fn(Stage) -> Option<StopReason> + Send + Sync>;
+pub(crate) type StopCheck = Arc<dyn Fn(Stage) -> Option<StopReason> + Send + Sync>;
 
 /// As far as what a path is followed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -38,37 +38,37 @@ fn bits(value: f64) -> u64 {
 
 impl Columns {
     /// None yet.
-    pub fn new(start: BranchStart) -> Self {
+    pub(crate) fn new(start: BranchStart) -> Self {
         Self { start, known: BTreeMap::new() }
     }
 
     /// Where its branch begins.
-    pub fn start(&self) -> &BranchStart {
+    pub(crate) fn start(&self) -> &BranchStart {
         &self.start
     }
 
     /// The same without the columns.
-    pub fn into_start(self) -> BranchStart {
+    pub(crate) fn into_start(self) -> BranchStart {
         self.start
     }
 
     /// How many have been followed.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.known.len()
     }
 
     /// How many equilibria were solved at nodes and between.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.known.values().map(|column| column.nodes.len()).sum()
     }
 
     /// The largest error of a limit point by the mesh, nm.
-    pub fn mesh_error(&self) -> f64 {
+    pub(crate) fn mesh_error(&self) -> f64 {
         self.known.values().map(|known| known.column.limit_error).fold(0.0, f64::max)
     }
 
     /// Computes the nodes `path` of the columns at these v and θ, as far as they are not known.
-    pub fn compute(&mut self, places: &[(f64, f64)], path: &[f64]) -> Result<(), HeldError> {
+    pub(crate) fn compute(&mut self, places: &[(f64, f64)], path: &[f64]) -> Result<(), HeldError> {
         let work: Vec<(Key, (f64, f64), Option<KnownColumn>)> = places
             .iter()
             .map(|&(v, t)| ((bits(v), bits(t)), (v, t)))
@@ -108,7 +108,7 @@ impl Columns {
     }
 
     /// A node that has been computed.
-    pub fn node(&self, (v, t): (f64, f64), s: f64) -> Option<&SheetNode> {
+    pub(crate) fn node(&self, (v, t): (f64, f64), s: f64) -> Option<&SheetNode> {
         self.known.get(&(bits(v), bits(t)))?.nodes.get(&bits(s))
     }
 }
@@ -146,7 +146,7 @@ pub(super) struct Column {
 
 impl Column {
     /// Follows the equilibria from `start`, upwards or, where `down`, downwards, to the first limit point of the displacement.
-    pub fn traced(spatula: &HeldSpatula, start: &HeldState, down: bool) -> Result<Self, HeldError> {
+    pub(crate) fn traced(spatula: &HeldSpatula, start: &HeldState, down: bool) -> Result<Self, HeldError> {
         let problem = spatula.problem_at(start.place);
         let (points, located) = followed(spatula, &problem, start, down)?;
         let (first, limit) = (&points[0].observables, &located.observables);
@@ -167,12 +167,12 @@ impl Column {
     }
 
     /// u at the limit point, nm.
-    pub fn limit(&self) -> f64 {
+    pub(crate) fn limit(&self) -> f64 {
         self.points[self.points.len() - 1].observables.displacement
     }
 
     /// The state at a displacement before the limit point, from the nearest point of the path.
-    pub fn state(&self, spatula: &HeldSpatula, normal: f64, ws: &mut Workspace) -> Result<HeldState, HeldError> {
+    pub(crate) fn state(&self, spatula: &HeldSpatula, normal: f64, ws: &mut Workspace) -> Result<HeldState, HeldError> {
         let away = |point: &Solution| (point.observables.displacement - normal).abs();
         let stable = self.points.iter().filter(|point| point.negative == 0);
         let nearest = stable.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or(&self.points[0]);
@@ -186,7 +186,7 @@ impl Column {
     }
 
     /// The equilibrium at s, with its response.
-    pub fn node(&self, spatula: &HeldSpatula, s: f64, ws: &mut Workspace) -> Result<SheetNode, HeldError> {
+    pub(crate) fn node(&self, spatula: &HeldSpatula, s: f64, ws: &mut Workspace) -> Result<SheetNode, HeldError> {
         let failed = |cause| HeldError::NoNode { at: self.start, share: s, cause };
         let solution = self.solution(s, ws);
         spatula.check_stop()?;
@@ -202,7 +202,7 @@ impl Column {
     }
 
     /// The equilibrium at s.
-    pub fn solution(&self, s: f64, ws: &mut Workspace) -> Result<Solution, SolveError> {
+    pub(crate) fn solution(&self, s: f64, ws: &mut Workspace) -> Result<Solution, SolveError> {
         let nearest = self.points.iter().min_by(|a, b| {
             let away = |point: &Solution| (self.path(point) - s).abs();
             away(a).total_cmp(&away(b))
@@ -286,14 +286,14 @@ pub(super) enum BranchStart {
 
 impl BranchStart {
     /// The spatula that is held.
-    pub fn spatula(&self) -> &HeldSpatula {
+    pub(crate) fn spatula(&self) -> &HeldSpatula {
         match self {
             Self::Attached { spatula, .. } | Self::Detached { spatula, .. } => spatula,
         }
     }
 
     /// The normal force with which it begins, nN.
-    pub fn force(&self) -> f64 {
+    pub(crate) fn force(&self) -> f64 {
         match self {
             Self::Attached { rest, .. } => rest.solution.at.force,
             Self::Detached { force, .. } => *force,
@@ -301,7 +301,7 @@ impl BranchStart {
     }
 
     /// The normal force at the limit point of a branch from far away, at θ, nN.
-    pub fn force_at_limit(spatula: &HeldSpatula, far: &HeldState, rotation: f64) -> Result<f64, HeldError> {
+    pub(crate) fn force_at_limit(spatula: &HeldSpatula, far: &HeldState, rotation: f64) -> Result<f64, HeldError> {
         let place = TipPlace { rotation, ..far.place };
         let lifted = spatula.moved(far, place, &mut spatula.workspace())?;
         let (_, located) = followed(spatula, &spatula.problem_at(place), &lifted, true)?;
@@ -309,7 +309,7 @@ impl BranchStart {
     }
 
     /// The branch at v and θ.
-    pub fn column(&self, lateral: f64, rotation: f64) -> Result<Column, HeldError> {
+    pub(crate) fn column(&self, lateral: f64, rotation: f64) -> Result<Column, HeldError> {
         let mut ws = self.spatula().workspace();
         match self {
             Self::Attached { spatula, rest, press } => {

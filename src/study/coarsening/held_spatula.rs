@@ -47,7 +47,7 @@ pub(super) struct HeldState {
 
 impl HeldSpatula {
     /// Of a model, on a mesh whose error is far below a relative `tolerance`; once `should_stop` says so, nothing more is solved.
-    pub fn new(
+    pub(crate) fn new(
         model: &PeelModel,
         pad_end: PadEnd,
         tolerance: f64,
@@ -65,12 +65,12 @@ impl HeldSpatula {
     }
 
     /// Room for solves of it.
-    pub fn workspace(&self) -> Workspace {
+    pub(crate) fn workspace(&self) -> Workspace {
         Workspace::until(self.should_stop.clone())
     }
 
     /// That nothing more is to be solved.
-    pub fn check_stop(&self) -> Result<(), HeldError> {
+    pub(crate) fn check_stop(&self) -> Result<(), HeldError> {
         if self.should_stop.as_ref().is_some_and(|should_stop| should_stop()) {
             Err(HeldError::Stopped)
         } else {
@@ -79,12 +79,12 @@ impl HeldSpatula {
     }
 
     /// Its equilibria as a path from one of them on.
-    pub fn path<'p>(&self, problem: &'p BeamProblem, options: PathOptions, start: State) -> Path<'p> {
+    pub(crate) fn path<'p>(&self, problem: &'p BeamProblem, options: PathOptions, start: State) -> Path<'p> {
         Path::from(problem, options, start).until(self.should_stop.clone())
     }
 
     /// The problem of a drive straight up with the end held at a place along the substrate and at a rotation.
-    pub fn problem_at(&self, place: TipPlace) -> BeamProblem {
+    pub(crate) fn problem_at(&self, place: TipPlace) -> BeamProblem {
         let mut grip = self.problem.grip;
         grip.origin[self.problem.beam.slot_of_rotation()] += place.rotation;
         if let Some(across) = grip.across.filter(|_| self.pad_end == PadEnd::Held) {
@@ -94,14 +94,14 @@ impl HeldSpatula {
     }
 
     /// The equilibrium next to the stress-free configuration.
-    pub fn rest(&self) -> Result<HeldState, HeldError> {
+    pub(crate) fn rest(&self) -> Result<HeldState, HeldError> {
         let first = Path::new(&self.problem, self.options).advance().map_err(HeldError::NoRest)?;
         let rest = HeldState { place: TipPlace::default(), solution: Solution::clone(&first) };
         self.moved(&rest, TipPlace::default(), &mut self.workspace())
     }
 
     /// The equilibrium next to the stress-free configuration so far away from the substrate, nm.
-    pub fn lifted(&self, normal: f64) -> Result<HeldState, HeldError> {
+    pub(crate) fn lifted(&self, normal: f64) -> Result<HeldState, HeldError> {
         let place = TipPlace { normal, ..TipPlace::default() };
         let mut at = self.problem.system.stress_free(self.options.elements);
         if let Some(beam) = self.problem.beam.planar() {
@@ -115,7 +115,7 @@ impl HeldSpatula {
     }
 
     /// The stable equilibrium at this v and θ in which the end is held by a normal force, nN, by equilibria between on a straight line.
-    pub fn under_force(
+    pub(crate) fn under_force(
         &self,
         from: &HeldState,
         force: f64,
@@ -132,7 +132,7 @@ impl HeldSpatula {
     }
 
     /// The stable equilibrium at another place, by equilibria between on a straight line.
-    pub fn moved(&self, from: &HeldState, to: TipPlace, ws: &mut Workspace) -> Result<HeldState, HeldError> {
+    pub(crate) fn moved(&self, from: &HeldState, to: TipPlace, ws: &mut Workspace) -> Result<HeldState, HeldError> {
         self.on_the_way(from, to, |here, place, _| {
             let solution = solved(&self.problem_at(place), here.solution.at.clone(), place.normal, ws)?;
             stable(HeldState { place, solution })
@@ -162,7 +162,7 @@ impl HeldSpatula {
     }
 
     /// Energy, forces and stiffness of an equilibrium.
-    pub fn response(&self, at: &State, ws: &mut Workspace) -> Result<TipResponse, SolveError> {
+    pub(crate) fn response(&self, at: &State, ws: &mut Workspace) -> Result<TipResponse, SolveError> {
         let system = &*self.problem.system;
         let root = system.factorise(at, Coefficients::STATIC, [0.0; 2], ws)?;
         let residual = system.residual(at);

@@ -87,7 +87,7 @@ impl NearEnd {
     }
 
     /// D, nm
-    pub fn within(&self) -> f64 {
+    pub(crate) fn within(&self) -> f64 {
         self.within
     }
 
@@ -211,7 +211,7 @@ pub struct Resolved {
 
 impl Visited {
     /// A range that holds what another one does and, with some room, where tips have been.
-    pub fn widened(&self, range: &TipRange) -> TipRange {
+    pub(crate) fn widened(&self, range: &TipRange) -> TipRange {
         let wider = |[from, to]: [f64; 2], [low, high]: [f64; 2]| [from.min(ROOM * low), to.max(ROOM * high)];
         TipRange {
             press: range.press + ROOM * self.pressed,
@@ -227,12 +227,12 @@ pub(super) struct Visits(Mutex<Visited>);
 
 impl Visits {
     /// What is known already.
-    pub fn new(visited: Visited) -> Self {
+    pub(crate) fn new(visited: Visited) -> Self {
         Self(Mutex::new(visited))
     }
 
     /// A tip is in equilibrium at a place of a table.
-    pub fn note(&self, table: &TipTable, tip: usize, on: TipSheet, place: TipPlace) {
+    pub(crate) fn note(&self, table: &TipTable, tip: usize, on: TipSheet, place: TipPlace) {
         if table.contains(on, place) {
             return;
         }
@@ -249,7 +249,7 @@ impl Visits {
     }
 
     /// A tip is in equilibrium, and has been solved as a spatula before or not.
-    pub fn note_resolved(&self, tip: usize, source: Source, solved: bool) {
+    pub(crate) fn note_resolved(&self, tip: usize, source: Source, solved: bool) {
         if !solved && source != Source::Unsolved {
             return;
         }
@@ -268,7 +268,7 @@ impl Visits {
     }
 
     /// What was noted so far.
-    pub fn get(&self) -> Visited {
+    pub(crate) fn get(&self) -> Visited {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
@@ -303,7 +303,7 @@ pub(super) struct Answers {
 
 impl Answers {
     /// The answer that is known, or the one that is found.
-    pub fn get(&self, asked: Asked, find: impl FnOnce() -> Answer) -> Answer {
+    pub(crate) fn get(&self, asked: Asked, find: impl FnOnce() -> Answer) -> Answer {
         let lock = || self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, known)) = lock().iter().flatten().find(|(own, _)| *own == asked) {
             return *known;
@@ -319,7 +319,7 @@ impl Answers {
     }
 
     /// Whether an answer has come from the spatula.
-    pub fn was_solved(&self) -> bool {
+    pub(crate) fn was_solved(&self) -> bool {
         self.solved.load(Ordering::Relaxed)
     }
 }

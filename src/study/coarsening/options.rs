@@ -24,7 +24,7 @@ impl TipRange {
     /// Of a pad whose end slides: pressed by 50 nm, ±0.4 rad.
     pub const SLIDING: Self = Self { press: 50.0, lateral: [0.0; 2], rotation: [-0.4, 0.4] };
     /// Of a pad whose end is held: pressed by 5 nm, ±10 nm along the substrate, ±0.1 rad.
-    pub const HELD: Self = Self { press: 5.0, lateral: [-10.0, 10.0], rotation: [-0.1, 0.1] };
+    pub(crate) const HELD: Self = Self { press: 5.0, lateral: [-10.0, 10.0], rotation: [-0.1, 0.1] };
 
     /// The default for a pad end.
     pub const fn of(pad_end: PadEnd) -> Self {
@@ -107,13 +107,8 @@ pub struct TipPlace {
 }
 
 impl TipPlace {
-    /// u, v and θ in this order.
-    pub fn coordinates(self) -> [f64; 3] {
-        [self.normal, self.lateral, self.rotation]
-    }
-
     /// The place at a share of the way to another one.
-    pub fn toward(self, other: Self, share: f64) -> Self {
+    pub(crate) fn toward(self, other: Self, share: f64) -> Self {
         let between = |from: f64, to: f64| from + share * (to - from);
         Self {
             normal: between(self.normal, other.normal),

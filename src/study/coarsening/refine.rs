@@ -155,7 +155,7 @@ impl Marked {
 
 impl Grid {
     /// A coarse one over these ranges.
-    pub fn new(lateral: [f64; 2], rotation: [f64; 2]) -> Self {
+    pub(crate) fn new(lateral: [f64; 2], rotation: [f64; 2]) -> Self {
         Self { path: nodes([0.0, 1.0], PATH), lateral: nodes(lateral, LATERAL), rotation: nodes(rotation, ROTATION) }
     }
 

@@ -77,7 +77,7 @@ impl Coarsening {
     }
 
     /// The same, whose table has no more nodes than these along a branch: where it would take more, there is none.
-    pub fn with_most_nodes(self, most_nodes: usize) -> Self {
+    pub(crate) fn with_most_nodes(self, most_nodes: usize) -> Self {
         Self { most_nodes, ..self }
     }
 

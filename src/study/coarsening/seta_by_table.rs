@@ -66,7 +66,7 @@ impl GrowingTable {
     ///
     /// # Errors
     /// Those of the table; a criterion that was met.
-    pub fn until(
+    pub(crate) fn until(
         spatula: &PeelModel,
         options: &CoarseningOptions,
         stop: &StopCriteria,

@@ -131,7 +131,7 @@ impl Sheet {
     }
 
     /// Whether u, v and θ are within the table, before the limit point.
-    pub fn contains(&self, place: TipPlace) -> bool {
+    pub(crate) fn contains(&self, place: TipPlace) -> bool {
         let [begin, end] = self.ends(place);
         let inside = if begin < end { begin..=end } else { end..=begin };
         self.clamped(place) == place && inside.contains(&place.normal)

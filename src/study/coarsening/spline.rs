@@ -56,12 +56,12 @@ pub(super) struct PiecePolynomial {
 
 impl PiecePolynomial {
     /// Whether a place is on the piece.
-    pub fn holds(&self, place: f64) -> bool {
+    pub(crate) fn holds(&self, place: f64) -> bool {
         (self.ends[0]..=self.ends[1]).contains(&place)
     }
 
     /// Value and slope.
-    pub fn at(&self, place: f64) -> (f64, f64) {
+    pub(crate) fn at(&self, place: f64) -> (f64, f64) {
         let inside = place.clamp(self.ends[0], self.ends[1]);
         let (t, away) = ((inside - self.middle) * self.per_length, (place - inside) * self.per_length);
         let [mut value, mut slope, mut half_bend] = [0.0; 3];
@@ -108,7 +108,7 @@ impl SplinePiece {
     }
 
     /// The spline with these coefficients of the B-splines that are not zero here.
-    pub fn polynomial(&self, coefficients: &[f64; SUPPORT]) -> PiecePolynomial {
+    pub(crate) fn polynomial(&self, coefficients: &[f64; SUPPORT]) -> PiecePolynomial {
         let power = |own: &[f64; SUPPORT]| own.iter().zip(coefficients).map(|(a, b)| a * b).sum();
         let Self { ends, middle, per_length, .. } = *self;
         PiecePolynomial { ends, middle, per_length, powers: std::array::from_fn(|k| power(&self.powers[k])) }
@@ -117,14 +117,14 @@ impl SplinePiece {
 
 impl SplineAxis {
     /// Through values at ascending nodes, one at least. None where they do not ascend.
-    pub fn of_values(nodes: &[f64]) -> Option<Self> {
+    pub(crate) fn of_values(nodes: &[f64]) -> Option<Self> {
         let degree = DEGREE.min(nodes.len().checked_sub(1)?);
         let inner = if nodes.len() > SUPPORT { &nodes[3..nodes.len() - 3] } else { &[] };
         Self::of(nodes, degree, inner.to_vec(), 1)
     }
 
     /// Through values and slopes at ascending nodes, three at least; the numbers are value, slope, value, slope, …
-    pub fn of_slopes(nodes: &[f64]) -> Option<Self> {
+    pub(crate) fn of_slopes(nodes: &[f64]) -> Option<Self> {
         let last = nodes.len().checked_sub(1).filter(|&last| last >= 2)?;
         let twice = |k: usize| if last == 2 { 0 } else { 2 - usize::from(k == 1) - usize::from(k == last - 1) };
         let inner = (1..last).flat_map(|k| std::iter::repeat_n(nodes[k], twice(k))).collect();
@@ -158,23 +158,23 @@ impl SplineAxis {
     }
 
     /// How many coefficients there are.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.inverse.nrows()
     }
 
     /// The coefficients of the spline through these numbers.
-    pub fn coefficients(&self, numbers: &[f64]) -> Vec<f64> {
+    pub(crate) fn coefficients(&self, numbers: &[f64]) -> Vec<f64> {
         (&self.inverse * nalgebra::DVector::from_column_slice(numbers)).as_slice().to_vec()
     }
 
     /// The piece that a place is on; the outermost one beyond the ends.
-    pub fn piece(&self, place: f64) -> &SplinePiece {
+    pub(crate) fn piece(&self, place: f64) -> &SplinePiece {
         let behind = self.pieces.partition_point(|piece| piece.ends[0] <= place);
         &self.pieces[behind.saturating_sub(1)]
     }
 
     /// The B-splines at a place; beyond the ends, their expansions of second order there.
-    pub fn basis(&self, place: f64) -> Basis {
+    pub(crate) fn basis(&self, place: f64) -> Basis {
         let inside = place.clamp(self.knots[0], self.knots[self.knots.len() - 1]);
         let away = place - inside;
         let mut basis = self.piece(inside).basis(inside, self.degree);
@@ -226,19 +226,19 @@ pub(super) struct Jet {
 
 impl Jet {
     /// One of the coordinates themselves.
-    pub fn coordinate(value: f64, index: usize) -> Self {
+    pub(crate) fn coordinate(value: f64, index: usize) -> Self {
         let mut jet = Self { value, ..Self::default() };
         jet.gradient[index] = 1.0;
         jet
     }
 
     /// A number that depends on nothing.
-    pub fn constant(value: f64) -> Self {
+    pub(crate) fn constant(value: f64) -> Self {
         Self { value, ..Self::default() }
     }
 
     /// It where its first coordinate is a number that depends on all three.
-    pub fn at_first(self, first: Self) -> Self {
+    pub(crate) fn at_first(self, first: Self) -> Self {
         let own = |i: usize| if i == 0 { 0.0 } else { 1.0 };
         let [along, p] = [self.gradient[0], 1.0].map(|x| first.gradient.map(|g| x * g));
         let hessian = |i: usize, j: usize| {
@@ -256,7 +256,7 @@ impl Jet {
     }
 
     /// f of it, from f, f' and f'' at its value.
-    pub fn through(self, [value, slope, bend]: [f64; 3]) -> Self {
+    pub(crate) fn through(self, [value, slope, bend]: [f64; 3]) -> Self {
         let hessian = |i: usize, j: usize| slope * self.hessian[i][j] + bend * self.gradient[i] * self.gradient[j];
         Self {
             value,
@@ -266,7 +266,7 @@ impl Jet {
     }
 
     /// Its third power.
-    pub fn cube(self) -> Self {
+    pub(crate) fn cube(self) -> Self {
         let x = self.value;
         self.through([x * x * x, 3.0 * x * x, 6.0 * x])
     }

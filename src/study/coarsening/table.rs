@@ -1,15 +1,9 @@
 //! The table of a tip: both branches of a spatula, with their errors and where they come from.
 
 use super::columns::TipSheet;
-use super::options::{CoarseningOptions, PadEnd, TipPlace, TipResponse};
+use super::options::{CoarseningOptions, TipPlace, TipResponse};
 use super::refine::{SheetErrors, TipScales};
 use super::sheet::Sheet;
-use nalgebra::{Matrix3, Vector3};
-
-/// Steps to where nothing holds the end, the longest of them, nm, and the last.
-const MOST_STEPS: usize = 100;
-const LONGEST: f64 = 5.0;
-const UNLOADED: f64 = 1e-9;
 
 /// The table of a tip.
 #[derive(Clone, Debug)]
@@ -69,7 +63,7 @@ impl TipTable {
     }
 
     /// Whether a detached tip is so far away that its force is neglected: from there it falls off to zero.
-    pub fn is_far(&self, place: TipPlace) -> bool {
+    pub(crate) fn is_far(&self, place: TipPlace) -> bool {
         place.normal > self.detached.ends(place)[0]
     }
 
@@ -91,26 +85,6 @@ impl TipTable {
             TipSheet::Detached if self.detached.is_beyond(place) => TipSheet::Attached,
             same => same,
         }
-    }
-
-    /// Where the attached tip has neither force nor moment, if that is in the table: where its end is when nothing holds it.
-    pub fn unloaded(&self) -> Option<TipPlace> {
-        let mut place = TipPlace::default();
-        for _ in 0..MOST_STEPS {
-            let TipResponse { force, mut stiffness, .. } = self.attached.response(place);
-            if self.options.pad_end == PadEnd::Sliding {
-                stiffness[1][1] = 1.0;
-            }
-            let step = Matrix3::from_fn(|i, j| stiffness[i][j]).lu().solve(&Vector3::from(force))?;
-            let part = (LONGEST / step[0].abs().max(step[1].abs())).min(1.0);
-            place.normal -= part * step[0];
-            place.lateral -= part * step[1];
-            place.rotation -= part * step[2];
-            if part * step.amax() < UNLOADED {
-                return self.attached.contains(place).then_some(place);
-            }
-        }
-        None
     }
 
     /// Energy that is released where an attached tip snaps off, at the limit point of v and θ, aJ.

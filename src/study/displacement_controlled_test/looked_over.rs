@@ -24,7 +24,7 @@ pub(super) struct Passed {
 
 impl Machine<'_> {
     /// The equilibria of a piece at stations and events, in its order, and the piece: up to the first event that stops the test.
-    pub fn looked_over(
+    pub(crate) fn looked_over(
         &self,
         leg: StableBranch,
         way: LoadingDirection,
@@ -60,7 +60,7 @@ impl Machine<'_> {
     }
 
     /// An equilibrium of the test, to which the machine has done so much work, aJ.
-    pub fn point(&self, solution: &Solution, way: LoadingDirection, work: f64) -> TestPoint {
+    pub(crate) fn point(&self, solution: &Solution, way: LoadingDirection, work: f64) -> TestPoint {
         let o = &solution.observables;
         TestPoint {
             way,
@@ -75,7 +75,7 @@ impl Machine<'_> {
     }
 
     /// Of the free end, nm.
-    pub fn free_end_gap(&self, solution: &Solution) -> f64 {
+    pub(crate) fn free_end_gap(&self, solution: &Solution) -> f64 {
         named(self.model, self.problem, StationQuantity::FreeEndGap).at(solution)
     }
 }

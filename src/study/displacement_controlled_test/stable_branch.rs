@@ -82,7 +82,7 @@ const INSIDE: usize = 8;
 impl Machine<'_> {
     /// Where a branch begins on which the strip has come to rest. In space on a mesh whose focus is its front: steps are so short there that
     /// the way from another mesh would be longer.
-    pub fn begin_at(&self, landed: &Solution) -> State {
+    pub(crate) fn begin_at(&self, landed: &Solution) -> State {
         match self.problem.beam {
             Beam::Planar(_) => landed.at.clone(),
             Beam::Spatial(_) => self.problem.system.refocused(&landed.at, landed.observables.monitors),
@@ -91,7 +91,13 @@ impl Machine<'_> {
 
     /// Follows the stable equilibria from `start` on; U rises or falls as `rising` says. `points` have been computed before. Where it
     /// cannot be followed further what was found of it is kept; there is none where not even its first point was found.
-    pub fn follow(&self, start: State, rising: bool, until: Until, points: usize) -> Result<StableBranch, BranchError> {
+    pub(crate) fn follow(
+        &self,
+        start: State,
+        rising: bool,
+        until: Until,
+        points: usize,
+    ) -> Result<StableBranch, BranchError> {
         let first = self.options.first_displacement.copysign(if rising { 1.0 } else { -1.0 });
         let options = PathOptions { first_displacement: first, elements: start.mesh.elements(), ..self.options };
         let path = Path::from(self.problem, options, start);
@@ -140,14 +146,14 @@ impl Machine<'_> {
     }
 
     /// Whether Newton's method stays where a relaxation has ended. Next to where an equilibrium has vanished it goes to and fro, by little.
-    pub fn is_equilibrium(&self, rest: &Solution) -> bool {
+    pub(crate) fn is_equilibrium(&self, rest: &Solution) -> bool {
         let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: rest.observables.displacement };
         let options = NewtonOptions { tolerance: self.options.tolerance, ..NewtonOptions::default() };
         solve(self.problem, rest.at.clone(), &constraint, &options, &mut Workspace::default()).is_ok()
     }
 
     /// What adheres at an equilibrium.
-    pub fn adhering(&self, solution: &Solution) -> Adhering {
+    pub(crate) fn adhering(&self, solution: &Solution) -> Adhering {
         Adhering::of(&self.problem.beam, &solution.at, self.adhering_distance)
     }
 
@@ -163,7 +169,7 @@ impl Machine<'_> {
     }
 
     /// The criterion that has ended a relaxation, if one has.
-    pub fn stopped_by(&self, why: &TestError) -> Option<Bound> {
+    pub(crate) fn stopped_by(&self, why: &TestError) -> Option<Bound> {
         match why {
             TestError::Relax { cause: RelaxError::Stopped { .. }, .. } => self.stop.reached_bound(Stage::Path),
             _ => None,
@@ -171,7 +177,7 @@ impl Machine<'_> {
     }
 
     /// The largest force of a piece, if it is a maximum within.
-    pub fn peak(&self, leg: &StableBranch) -> Result<Option<Located>, BranchError> {
+    pub(crate) fn peak(&self, leg: &StableBranch) -> Result<Option<Located>, BranchError> {
         let (points, mut ws) = (&leg.points, Workspace::default());
         let force = |p: &Solution| p.observables.force;
         let largest = (0..points.len()).max_by(|&a, &b| force(&points[a]).total_cmp(&force(&points[b])));
@@ -229,7 +235,7 @@ impl Machine<'_> {
     }
 
     /// The part of a piece up to an equilibrium on the step behind a point.
-    pub fn cut(&self, leg: &StableBranch, after: usize, last: Arc<Solution>, end: BranchEnd) -> StableBranch {
+    pub(crate) fn cut(&self, leg: &StableBranch, after: usize, last: Arc<Solution>, end: BranchEnd) -> StableBranch {
         let mut segment = PathSegment::around(self.problem, &leg.points, after);
         let label = segment.insert(last.clone());
         let mut cut = self.leg(&leg.points[..=after], end, leg.iterations);
@@ -417,17 +423,17 @@ impl fmt::Display for LeftModel {
 
 impl Machine<'_> {
     /// The limit of the model at which an equilibrium is, where the test cannot go on from it.
-    pub fn model_limit(&self, at: &Solution) -> Option<ModelLimit> {
+    pub(crate) fn model_limit(&self, at: &Solution) -> Option<ModelLimit> {
         self.collapsed(at).or_else(|| self.bonded(at))
     }
 
     /// Whether a beam has collapsed in an equilibrium.
-    pub fn collapsed(&self, at: &Solution) -> Option<ModelLimit> {
+    pub(crate) fn collapsed(&self, at: &Solution) -> Option<ModelLimit> {
         self.problem.beam.planar()?.collapsed_section(&at.at).map(ModelLimit::Collapsed)
     }
 
     /// Whether what is bonded is unstable at an equilibrium, or nearly so.
-    pub fn bonded(&self, at: &Solution) -> Option<ModelLimit> {
+    pub(crate) fn bonded(&self, at: &Solution) -> Option<ModelLimit> {
         let beam = self.problem.beam.planar()?;
         if self.adhering(at) != Adhering::Pad {
             return None;

@@ -36,7 +36,7 @@ const NEWTON: f64 = 1e-6;
 
 /// A beam in equilibrium, from which any number of pulls may start.
 #[derive(Clone)]
-pub struct PullStart {
+pub(crate) struct PullStart {
     /// In its grip, behind the machine's spring
     pub beam: MovingBeam,
     /// The equilibrium
@@ -86,7 +86,7 @@ pub fn pull_in_time_with(
 ///
 /// # Errors
 /// What the model cannot be followed with, no equilibrium there.
-pub fn pull_start(
+pub(crate) fn pull_start(
     model: &PeelModel,
     material: &MovingMaterial,
     displacement: f64,
@@ -119,7 +119,7 @@ pub fn pull_start(
 ///
 /// # Errors
 /// A number out of range, a step in time that failed.
-pub fn pull_in_time_from(
+pub(crate) fn pull_in_time_from(
     start: &PullStart,
     pull: &PullRate,
     accuracy: &TimeAccuracy,
@@ -445,7 +445,7 @@ pub struct PullRate {
     pub to: f64,
     /// nm/ns = m/s
     pub rate: f64,
-    /// On how much of the way the grip accelerates, and on how much it comes to rest, nm; none: a tenth of [`PeelModel::first_way`]. A jump in
+    /// On how much of the way the grip accelerates, and on how much it comes to rest, nm; none: a tenth of `PeelModel::first_way`. A jump in
     /// velocity makes a force of its own.
     pub accelerates: Option<f64>,
     /// Where it ends

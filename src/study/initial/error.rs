@@ -36,7 +36,7 @@ pub enum NoEquilibrium {
 
 impl NoEquilibrium {
     /// Whether the model was refused by a criterion with a name, and not for want of a solution.
-    pub fn is_refusal(&self) -> bool {
+    pub(crate) fn is_refusal(&self) -> bool {
         matches!(self, Self::Unstable { .. })
     }
 }

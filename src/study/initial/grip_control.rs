@@ -35,14 +35,14 @@ pub(super) struct LettingGo {
 }
 
 impl GripControl {
-    pub fn of(problem: &BeamProblem) -> Self {
+    pub(crate) fn of(problem: &BeamProblem) -> Self {
         let EndConditions { driven, direction, held, gear, .. } = problem.grip;
         let axes = problem.beam.spatial().map(|beam| beam.chain.ends[1].axes);
         Self { driven, direction, held, gear, axes }
     }
 
     /// Makes the grip do so from where it is: displacements count from there.
-    pub fn set(self, problem: &mut BeamProblem) {
+    pub(crate) fn set(self, problem: &mut BeamProblem) {
         let Self { driven, direction, held, gear, axes } = self;
         problem.grip = EndConditions { driven, direction, held, gear, ..problem.grip };
         if let Some(axes) = axes {
@@ -54,7 +54,7 @@ impl GripControl {
     }
 
     /// In the step that moves this; `self` is what the grip does in the pull.
-    pub fn moving(&self, problem: &BeamProblem, azimuth: Option<f64>, moved: Moved) -> Self {
+    pub(crate) fn moving(&self, problem: &BeamProblem, azimuth: Option<f64>, moved: Moved) -> Self {
         if let Some(azimuth) = azimuth {
             return moving(self, azimuth, moved);
         }
@@ -77,7 +77,7 @@ impl GripControl {
 
     /// How the force on what is neither driven nor held, across the way or along the substrate, comes to be zero, where it is not:
     /// what is free is moved then, and all else is held. `height` is the slot of the height in the plane.
-    pub fn letting_go(&self, problem: &BeamProblem, height: usize, at: &State) -> Option<LettingGo> {
+    pub(crate) fn letting_go(&self, problem: &BeamProblem, height: usize, at: &State) -> Option<LettingGo> {
         if let (Some(axes), Some(beam)) = (&self.axes, problem.beam.spatial()) {
             let least = NONE_IN_SPACE * problem.measure.force;
             return letting_go(self, axes, beam.grip_reactions(at).force, least);

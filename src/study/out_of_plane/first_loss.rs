@@ -74,19 +74,19 @@ impl Lost {
 }
 
 impl<'s> StepSearch<'s> {
-    pub fn new(reader: &'s RollReader<'s>, history: &'s SolutionHistory, step: usize) -> Self {
+    pub(crate) fn new(reader: &'s RollReader<'s>, history: &'s SolutionHistory, step: usize) -> Self {
         let segment = PathSegment::around(&history.problem, &history.points, step);
         Self { reader, history, step, segment }
     }
 
     /// The equilibrium at the label `at`, by way of the nearer end of the step.
-    pub fn solution_at(&mut self, at: f64, ws: &mut Workspace) -> Result<Arc<Solution>, SolveError> {
+    pub(crate) fn solution_at(&mut self, at: f64, ws: &mut Workspace) -> Result<Arc<Solution>, SolveError> {
         let nearer = if at < 0.5 * self.segment.end() { 0.0 } else { self.segment.end() };
         step_to(&self.history.problem, &mut self.segment, nearer, at, FINE, ws)
     }
 
     /// The same with its margin.
-    pub fn margin_at(&mut self, at: f64, ws: &mut Workspace) -> Result<(Arc<Solution>, Known), SolveError> {
+    pub(crate) fn margin_at(&mut self, at: f64, ws: &mut Workspace) -> Result<(Arc<Solution>, Known), SolveError> {
         let solution = self.solution_at(at, ws)?;
         let margin = self.margin_of(&solution)?;
         Ok((solution, Known { label: at, margin }))
@@ -98,7 +98,7 @@ impl<'s> StepSearch<'s> {
     }
 
     /// The loss between a stable place and one that is not, with bounds on the errors of its numbers.
-    pub fn located(
+    pub(crate) fn located(
         mut self,
         (stable, lost): (Known, Known),
         relative: f64,

@@ -15,7 +15,7 @@ const PLACES: [usize; FIELDS] = [2, 0];
 
 impl RollElements {
     /// The inertia of elements with these ends, whose densities are given place by place. Nothing where a number is not finite.
-    pub fn coupled_stability(
+    pub(crate) fn coupled_stability(
         &self,
         ends: &[f64],
         densities: impl Iterator<Item = CoupledDensity>,

@@ -40,7 +40,7 @@ pub(super) struct RollStability {
 impl RollStability {
     /// A number that falls through zero, continuously, where the first eigenvalue does: the stiffness of the grip, and
     /// where modes are unstable with the grip held as well, less than any.
-    pub fn margin(&self) -> f64 {
+    pub(crate) fn margin(&self) -> f64 {
         let held = self.negative - usize::from(self.grip_stiffness < 0.0);
         if held == 0 { self.grip_stiffness } else { f64::NEG_INFINITY }
     }
@@ -48,7 +48,7 @@ impl RollStability {
 
 impl RollElements {
     /// Of a degree, with a point more than that.
-    pub fn new(degree: NonZeroUsize) -> Self {
+    pub(crate) fn new(degree: NonZeroUsize) -> Self {
         let rule = gauss_legendre(degree.saturating_add(1));
         let points = rule.into_iter().map(|(local, weight)| RulePoint {
             local,
@@ -59,18 +59,22 @@ impl RollElements {
     }
 
     /// Local coordinates of the rule on an element, in [-1, 1].
-    pub fn places(&self) -> impl Iterator<Item = f64> + '_ {
+    pub(crate) fn places(&self) -> impl Iterator<Item = f64> + '_ {
         self.points.iter().map(|point| point.local)
     }
 
     /// How many there are.
-    pub fn places_of_element(&self) -> usize {
+    pub(crate) fn places_of_element(&self) -> usize {
         self.points.len()
     }
 
     /// The inertia of elements with these ends, whose densities are given place by place. Nothing where a number is not
     /// finite.
-    pub fn stability(&self, ends: &[f64], densities: impl Iterator<Item = RollDensity>) -> Option<RollStability> {
+    pub(crate) fn stability(
+        &self,
+        ends: &[f64],
+        densities: impl Iterator<Item = RollDensity>,
+    ) -> Option<RollStability> {
         let mut densities = densities;
         let size = self.points.first()?.functions.len();
         let mut matrix = vec![0.0; size * size];
@@ -165,24 +169,24 @@ pub(super) struct RollingBeam {
 
 impl<'p> RollReader<'p> {
     /// With a degree more than the planar elements have.
-    pub fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
+    pub(crate) fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
         let degree = NonZeroUsize::MIN.saturating_add(beam.chain.order());
         let elements = RollElements::new(degree);
         Self { model, beam, law: model.line_law(), material: model.material(), elements }
     }
 
     /// The stability of an equilibrium. Nothing where a number is not finite.
-    pub fn stability(&self, at: &State) -> Option<RollStability> {
+    pub(crate) fn stability(&self, at: &State) -> Option<RollStability> {
         self.stability_of(&self.rolling(at))
     }
 
     /// The same of what was read before.
-    pub fn stability_of(&self, beam: &RollingBeam) -> Option<RollStability> {
+    pub(crate) fn stability_of(&self, beam: &RollingBeam) -> Option<RollStability> {
         self.stability_of_sections(&beam.ends, beam.sections.iter().copied())
     }
 
     /// The same where a straight beam of one section is of another width, nm.
-    pub fn stability_of_width(&self, beam: &RollingBeam, width: f64) -> Option<RollStability> {
+    pub(crate) fn stability_of_width(&self, beam: &RollingBeam, width: f64) -> Option<RollStability> {
         let outline = self.model.body.geometry().at(0.0);
         let lateral = LateralStiffness::of(&self.material, width, outline.height[0], outline.roundness);
         self.stability_of_sections(&beam.ends, beam.sections.iter().map(|section| section.widened(width, lateral)))
@@ -202,7 +206,7 @@ impl<'p> RollReader<'p> {
     }
 
     /// The sections of an equilibrium.
-    pub fn rolling(&self, at: &State) -> RollingBeam {
+    pub(crate) fn rolling(&self, at: &State) -> RollingBeam {
         let beam = self.beam;
         let configuration = beam.configuration(at);
         let mut sections = Vec::with_capacity(at.mesh.elements() * self.elements.places_of_element());

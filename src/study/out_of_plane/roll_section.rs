@@ -69,7 +69,7 @@ pub(super) type CoupledDensity = [[f64; 4]; 4];
 
 impl RollSection {
     /// Of the section's outline, its forces, its rotation and the adhesion per width.
-    pub fn new(
+    pub(crate) fn new(
         material: &Material,
         outline: &SectionGeometry,
         state: &SectionState,
@@ -96,7 +96,7 @@ impl RollSection {
 
     /// The same section of a straight beam of one section that is `width` wide (nm): its planar equilibrium per width
     /// is the same.
-    pub fn widened(&self, width: f64, lateral: LateralStiffness) -> Self {
+    pub(crate) fn widened(&self, width: f64, lateral: LateralStiffness) -> Self {
         let factor = width / self.width;
         Self {
             width,
@@ -112,7 +112,7 @@ impl RollSection {
     }
 
     /// The matrix of twice the density in (ω_x, ω_x', ω_y, ω_y'), with a horizontal force.
-    pub fn coupled(&self) -> CoupledDensity {
+    pub(crate) fn coupled(&self) -> CoupledDensity {
         let (s, c, m) = (self.sin, self.cos, self.moment);
         let (horizontal, vertical) = (self.horizontal_force, self.vertical_force);
         let stiff = [
@@ -138,7 +138,7 @@ impl RollSection {
     }
 
     /// The density of the roll's energy.
-    pub fn density(&self) -> RollDensity {
+    pub(crate) fn density(&self) -> RollDensity {
         let (s, c, v, m) = (self.sin, self.cos, self.vertical_force, self.moment);
         let (twist, bend) = (1.0 / self.lateral.torsion, 1.0 / self.lateral.bending);
         RollDensity {

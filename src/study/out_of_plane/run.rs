@@ -100,25 +100,25 @@ pub(super) struct TwoSteps<'s> {
 
 impl<'s> TwoSteps<'s> {
     /// Around a point that has neighbours.
-    pub fn around(reader: &'s RollReader<'s>, history: &'s SolutionHistory, point: usize) -> Self {
+    pub(crate) fn around(reader: &'s RollReader<'s>, history: &'s SolutionHistory, point: usize) -> Self {
         let steps = [point - 1, point].map(|step| StepSearch::new(reader, history, step));
         Self { steps, lengths: [point - 1, point].map(|step| length(history, step)) }
     }
 
     /// The places of the three points.
-    pub fn ends(&self) -> [f64; 3] {
+    pub(crate) fn ends(&self) -> [f64; 3] {
         [-self.lengths[0], 0.0, self.lengths[1]]
     }
 
     /// On which of the steps a place lies, and its label there.
-    pub fn label(&self, place: f64) -> (usize, f64) {
+    pub(crate) fn label(&self, place: f64) -> (usize, f64) {
         let k = usize::from(place > 0.0);
         let share = if k == 1 { place / self.lengths[1] } else { 1.0 + place / self.lengths[0] };
         (k, share * self.steps[k].segment.end())
     }
 
     /// The equilibrium at a place.
-    pub fn solution(&mut self, place: f64, ws: &mut Workspace) -> Result<Arc<Solution>, SolveError> {
+    pub(crate) fn solution(&mut self, place: f64, ws: &mut Workspace) -> Result<Arc<Solution>, SolveError> {
         let (k, label) = self.label(place);
         self.steps[k].solution_at(label, ws)
     }
@@ -135,7 +135,7 @@ pub(super) struct Valley {
 impl Valley {
     /// Where to look next, with the least value of the parabola through the three: at its vertex, or beside the least
     /// one where that is as near. Nothing where the parabola has no least value between.
-    pub fn next(&self) -> Option<Look> {
+    pub(crate) fn next(&self) -> Option<Look> {
         let (place, value) = self.vertex()?;
         let apart = APART * (self.least.0 - self.before.0).min(self.behind.0 - self.least.0);
         let longer = self.behind.0 + self.before.0 - 2.0 * self.least.0;
@@ -153,7 +153,7 @@ impl Valley {
     }
 
     /// With a further look between the outer two.
-    pub fn with(self, look: Look) -> Self {
+    pub(crate) fn with(self, look: Look) -> Self {
         let Self { before, least, behind } = self;
         match (look.1 < least.1, look.0 < least.0) {
             (true, true) => Self { before, least: look, behind: least },

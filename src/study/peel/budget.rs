@@ -24,7 +24,7 @@ pub(super) struct Budget {
 
 impl Budget {
     /// That of a peel whose first mesh has so many elements.
-    pub fn of(stop: &StopCriteria, elements: usize) -> Self {
+    pub(crate) fn of(stop: &StopCriteria, elements: usize) -> Self {
         let left = match stop.patience {
             Patience::Usual => MOST * USUAL,
             Patience::Unlimited => f64::INFINITY,
@@ -33,17 +33,17 @@ impl Budget {
     }
 
     /// The Newton iterations that are left on a mesh of so many elements.
-    pub fn iterations(&self, elements: usize) -> f64 {
+    pub(crate) fn iterations(&self, elements: usize) -> f64 {
         self.left * self.elements / elements as f64
     }
 
     /// Takes off what was done on such a mesh.
-    pub fn spend(&mut self, iterations: usize, elements: usize) {
+    pub(crate) fn spend(&mut self, iterations: usize, elements: usize) {
         self.left -= iterations as f64 * elements as f64 / self.elements;
     }
 
     /// Whether nothing is left.
-    pub fn is_spent(&self) -> bool {
+    pub(crate) fn is_spent(&self) -> bool {
         self.left <= 0.0
     }
 }
@@ -74,12 +74,12 @@ pub(in crate::study) struct Limits<'a> {
 
 impl Limits<'_> {
     /// Why a path is to be left where it is, although it goes on.
-    pub fn reached(&self) -> Option<PathEnd> {
+    pub(crate) fn reached(&self) -> Option<PathEnd> {
         self.stop.reached_bound(Stage::Path).map(PathEnd::Bound)
     }
 
     /// Says when limit points and work are no longer to be computed.
-    pub fn should_stop(&self) -> Option<ShouldStop> {
+    pub(crate) fn should_stop(&self) -> Option<ShouldStop> {
         self.stop.for_solves(Stage::Results)
     }
 }

@@ -37,7 +37,7 @@ const SMOOTH: f64 = 240.0;
 impl SolutionHistory {
     /// (u, P, negative eigenvalues under displacement control) with `per_step` intervals a step. A displacement limit
     /// point is put where it splits its step into a stable and an unstable part.
-    pub fn dense_curve(&self, limit_points: &[LimitPoint], per_step: usize) -> Vec<(f64, f64, usize)> {
+    pub(crate) fn dense_curve(&self, limit_points: &[LimitPoint], per_step: usize) -> Vec<(f64, f64, usize)> {
         let mut curve = Vec::new();
         for (index, point) in self.points.iter().enumerate() {
             curve.push((point.observables.displacement, point.observables.force, point.negative));
@@ -63,13 +63,13 @@ impl SolutionHistory {
     }
 
     /// Section states at the ends of the elements.
-    pub fn sections(&self, index: usize) -> Vec<NodeState> {
+    pub(crate) fn sections(&self, index: usize) -> Vec<NodeState> {
         let (Some(point), Some(beam)) = (self.points.get(index), self.problem.beam.planar()) else { return Vec::new() };
         beam.chain.node_states(beam.configuration(&point.at), 0..point.at.mesh.elements())
     }
 
     /// The same of a beam in space.
-    pub fn sections_in_space(&self, index: usize) -> Vec<SpatialSectionState> {
+    pub(crate) fn sections_in_space(&self, index: usize) -> Vec<SpatialSectionState> {
         let (Some(point), Some(beam)) = (self.points.get(index), self.problem.beam.spatial()) else {
             return Vec::new();
         };
@@ -77,22 +77,22 @@ impl SolutionHistory {
     }
 
     /// Axis and rotation at one point, with x from the section's x' by Simpson's rule between samples.
-    pub fn shape(&self, index: usize) -> DeformedShape {
+    pub(crate) fn shape(&self, index: usize) -> DeformedShape {
         self.points.get(index).map(|point| DeformedShape::of(&self.problem.beam, &point.at)).unwrap_or_default()
     }
 
     /// The same with samples so near to one another that a picture of it has no corners.
-    pub fn smooth_shape(&self, index: usize) -> DeformedShape {
+    pub(crate) fn smooth_shape(&self, index: usize) -> DeformedShape {
         self.points.get(index).map(|point| DeformedShape::smooth(&self.problem.beam, &point.at)).unwrap_or_default()
     }
 
     /// Sections at so many places evenly along a beam in space, at one point.
-    pub fn evenly_in_space(&self, index: usize, count: usize) -> Vec<SpatialSectionPlace> {
+    pub(crate) fn evenly_in_space(&self, index: usize, count: usize) -> Vec<SpatialSectionPlace> {
         self.points.get(index).map(|point| self.sections_evenly(&point.at, count)).unwrap_or_default()
     }
 
     /// The same at the solution next to a limit point, by its number.
-    pub fn evenly_at_limit_point(&self, number: usize, count: usize) -> Option<Vec<SpatialSectionPlace>> {
+    pub(crate) fn evenly_at_limit_point(&self, number: usize, count: usize) -> Option<Vec<SpatialSectionPlace>> {
         self.limit_points.get(number).map(|solution| self.sections_evenly(&solution.at, count))
     }
 
@@ -107,7 +107,7 @@ impl SolutionHistory {
     }
 
     /// The shape at the solution next to a limit point, by its number.
-    pub fn shape_at_limit_point(&self, number: usize) -> Option<DeformedShape> {
+    pub(crate) fn shape_at_limit_point(&self, number: usize) -> Option<DeformedShape> {
         self.limit_points.get(number).map(|solution| DeformedShape::smooth(&self.problem.beam, &solution.at))
     }
 }

@@ -173,18 +173,18 @@ pub(in crate::study) struct StepCurve {
 
 impl StepCurve {
     /// The step behind `points[index]`.
-    pub fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
+    pub(crate) fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
         let segment = PathSegment::around(problem, points, index);
         Self::until(problem, &segment, segment.end(), &points[index + 1], ws)
     }
 
     /// From the first point of a segment to a solution at the label `to` of it.
-    pub fn until(problem: &Problem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
+    pub(crate) fn until(problem: &Problem, segment: &PathSegment, to: f64, end: &Solution, ws: &mut Workspace) -> Self {
         Self::between(problem, &mut segment.clone(), [(0.0, &segment.first()), (to, end)], ws)
     }
 
     /// The same in pieces, halved where one curve would not be certain of its work, by a scale of works, aJ.
-    pub fn pieces(
+    pub(crate) fn pieces(
         (problem, scale): (&Problem, f64),
         segment: &PathSegment,
         to: f64,
@@ -235,7 +235,7 @@ impl StepCurve {
     }
 
     /// From the first point of a segment to a solution at the label `to` of it, without a solve.
-    pub fn interpolated(segment: &PathSegment, to: f64, end: &Solution) -> Self {
+    pub(crate) fn interpolated(segment: &PathSegment, to: f64, end: &Solution) -> Self {
         Self::through(segment, [(0.0, &segment.first()), (to, end)])
     }
 
@@ -275,7 +275,7 @@ impl StepCurve {
     }
 
     /// (u, u', P, P') at a local coordinate.
-    pub fn at(&self, place: f64) -> (f64, f64, f64, f64) {
+    pub(crate) fn at(&self, place: f64) -> (f64, f64, f64, f64) {
         let (value, slope) = self.basis.sample(place);
         let mixed = |weights: &[f64], values: &[f64; NODES]| -> f64 {
             weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
@@ -285,7 +285,7 @@ impl StepCurve {
     }
 
     /// ∫ P du over the step, aJ: exact for the polynomials.
-    pub fn work(&self) -> f64 {
+    pub(crate) fn work(&self) -> f64 {
         let power = |q: usize| {
             let (_, rise, force, _) = self.at(self.basis.points[q]);
             self.basis.weights[q] * force * rise

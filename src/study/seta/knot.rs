@@ -42,7 +42,7 @@ pub(super) struct Knot {
 
 impl Knot {
     /// Of a solution whose slopes are per unit of the parameter times `rate`.
-    pub fn new(parameter: f64, solution: Solution, rate: f64) -> Self {
+    pub(crate) fn new(parameter: f64, solution: Solution, rate: f64) -> Self {
         let (o, slope) = (&solution.observables, &solution.slope);
         let (values, slopes) = ([o.displacement, o.force], [slope.displacement / rate, slope.force / rate]);
         Self { parameter, values, slopes, solution }
@@ -50,7 +50,7 @@ impl Knot {
 
     /// The state where the parameter has another value, on the cubic through this state and that of `other` with their tangents. `per` is by how
     /// much the target of the constraint of either solution changes with the parameter.
-    pub fn predicted(&self, other: &Self, parameter: f64, per: [f64; 2], problem: &Problem) -> State {
+    pub(crate) fn predicted(&self, other: &Self, parameter: f64, per: [f64; 2], problem: &Problem) -> State {
         let length = other.parameter - self.parameter;
         let t = (parameter - self.parameter) / length;
         let [own, others] = [(1.0 - t) * (1.0 - t) * t * length * per[0], (t - 1.0) * t * t * length * per[1]];
@@ -80,12 +80,12 @@ impl Knot {
     }
 
     /// P and dP/dt at a share t of the way to another one, with a cubic of η.
-    pub fn force_at(&self, other: &Self, t: f64) -> (f64, f64) {
+    pub(crate) fn force_at(&self, other: &Self, t: f64) -> (f64, f64) {
         self.cubic(other, 1, t)
     }
 
     /// The share of the way to another one at which the cubic of displacement (0) or force (1), which rises here and falls there, turns.
-    pub fn turn_of(&self, other: &Self, k: usize) -> f64 {
+    pub(crate) fn turn_of(&self, other: &Self, k: usize) -> f64 {
         let (mut first, mut last) = (0.0, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (first + last);
@@ -104,13 +104,13 @@ impl Knot {
     }
 
     /// ∫ P du to another one, aJ, with cubics of η for both.
-    pub fn work_to(&self, other: &Self) -> f64 {
+    pub(crate) fn work_to(&self, other: &Self) -> f64 {
         let cubic = |k, t| self.cubic(other, k, t);
         GAUSS.into_iter().map(|(t, weight)| weight * cubic(1, t).0 * cubic(0, t).1).sum()
     }
 
     /// The work to another one, and by how much it and the change of energy differ, over what is allowed.
-    pub fn imbalance_to(&self, other: &Self, allowed: &Allowed) -> (f64, f64) {
+    pub(crate) fn imbalance_to(&self, other: &Self, allowed: &Allowed) -> (f64, f64) {
         let (work, gained) = (self.work_to(other), other.solution.energy - self.solution.energy);
         let least = allowed.least * (other.values[0] - self.values[0]).abs();
         let most = allowed.balance * gained.abs().max(work.abs()).max(least) + allowed.round_off;
@@ -135,7 +135,7 @@ const ROUND_OFF: f64 = 2e-15;
 impl Allowed {
     /// From an equilibrium. A place x of the root's distance from the ground and a rotation are known to round-off, against which the section
     /// force N and moment M of the shaft work: N x ε and M ε, beside ε of the energies that are summed.
-    pub fn new(standing: &Standing, here: &Solution, balance: f64) -> Self {
+    pub(crate) fn new(standing: &Standing, here: &Solution, balance: f64) -> Self {
         let energies: f64 = (0..standing.tips.len()).map(|tip| standing.response(&here.at, tip).energy.abs()).sum();
         let root = standing.tree.section(&here.at, 0, 0);
         let size = |v: [f64; 3]| v.iter().fold(0.0f64, |most, x| most.max(x.abs()));

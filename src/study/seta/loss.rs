@@ -410,13 +410,13 @@ const SHARE: f64 = 0.1;
 
 impl Watched {
     /// The height of a tip that adheres and goes up, or of one that is detached and goes down.
-    pub fn tip(standing: &Standing, tip: usize) -> Self {
+    pub(crate) fn tip(standing: &Standing, tip: usize) -> Self {
         let unknown = JointUnknown { joint: standing.model.seta.tip_joint(tip), slot: HEIGHT };
         Self { unknown, sign: standing.way_out(tip), tip: Some(tip), passed: None, first: FIRST }
     }
 
     /// The place that changes the most with the displacement, and by how much of it; `ahead` is the step that was refused, nm.
-    pub fn fastest(standing: &Standing, here: &Solution, ahead: f64) -> (Self, f64) {
+    pub(crate) fn fastest(standing: &Standing, here: &Solution, ahead: f64) -> (Self, f64) {
         let per = |k: usize| here.tangent.direction[k] / here.slope.displacement;
         let places = (1..standing.tree.joints()).flat_map(|joint| (0..3).map(move |slot| JointUnknown { joint, slot }));
         let mut fastest = (JointUnknown { joint: 0, slot: 0 }, 0.0f64);
@@ -435,7 +435,7 @@ impl Watched {
     }
 
     /// The tip that goes on to the end of its branch the fastest, if it is faster than this place.
-    pub fn faster_tip(&self, standing: &Standing, here: &Solution) -> Option<Self> {
+    pub(crate) fn faster_tip(&self, standing: &Standing, here: &Solution) -> Option<Self> {
         let attached = (0..standing.tips.len()).filter(|&tip| standing.tips[tip].on.adheres());
         let rates =
             attached.map(|tip| Self::tip(standing, tip)).map(|own| (own.rate(here) / here.slope.displacement, own));
@@ -445,22 +445,22 @@ impl Watched {
     }
 
     /// Its change with the parameter of a solution.
-    pub fn rate(&self, solution: &Solution) -> f64 {
+    pub(crate) fn rate(&self, solution: &Solution) -> f64 {
         self.sign * solution.tangent.direction[self.unknown.joint * SPATIAL_UNKNOWNS + self.unknown.slot]
     }
 
     /// What it is in a state, nm.
-    pub fn value(&self, standing: &Standing, at: &State) -> f64 {
+    pub(crate) fn value(&self, standing: &Standing, at: &State) -> f64 {
         self.sign * standing.tree.joint(at, self.unknown.joint).0[self.unknown.slot]
     }
 
     /// The place itself where the parameter has a value, nm.
-    pub fn place(&self, value: f64) -> f64 {
+    pub(crate) fn place(&self, value: f64) -> f64 {
         self.sign * value
     }
 
     /// Change of the parameter with the place.
-    pub fn sign(&self) -> f64 {
+    pub(crate) fn sign(&self) -> f64 {
         self.sign
     }
 }

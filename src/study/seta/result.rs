@@ -192,7 +192,7 @@ pub(super) struct Mark {
 }
 
 impl Mark {
-    pub fn of(progress: &SetaProgress, standing: &Standing) -> Self {
+    pub(crate) fn of(progress: &SetaProgress, standing: &Standing) -> Self {
         let SetaProgress { result, here, ahead, softest, .. } = progress;
         Self {
             points: result.points.len(),
@@ -206,7 +206,7 @@ impl Mark {
         }
     }
 
-    pub fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
+    pub(crate) fn restore(self, progress: &mut SetaProgress, standing: &mut Standing) {
         let SetaProgress { result, here, ahead, softest, .. } = progress;
         result.points.truncate(self.points);
         result.events.truncate(self.events);

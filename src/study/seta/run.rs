@@ -77,7 +77,7 @@ pub(super) struct Run<'a> {
 
 impl<'a> Run<'a> {
     /// Where it starts, or what there is of a run that has no start.
-    pub fn new(
+    pub(crate) fn new(
         model: &SetaModel,
         loading: &'a SetaLoading,
         options: &'a SetaOptions,
@@ -199,7 +199,7 @@ impl<'a> Run<'a> {
     }
 
     /// One step of the root and the event that it leads to, or what keeps it from going on.
-    pub fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
+    pub(crate) fn advance(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<(), SetaEnd> {
         self.whole(|run| match run.take_step(step, drive, left)? {
             Some(event) => run.happen(drive, event),
             None => Ok(()),
@@ -207,7 +207,7 @@ impl<'a> Run<'a> {
     }
 
     /// One step of the root, and whether it leads to an event, which does not happen.
-    pub fn advance_to_event(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<bool, SetaEnd> {
+    pub(crate) fn advance_to_event(&mut self, step: &SetaStep, drive: &RootDrive, left: f64) -> Result<bool, SetaEnd> {
         self.whole(|run| Ok(run.take_step(step, drive, left)?.is_some()))
     }
 

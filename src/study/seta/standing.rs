@@ -37,7 +37,7 @@ pub(in crate::study) struct RootDrive {
 }
 
 impl RootDrive {
-    pub fn new(direction: [f64; 3], from: [f64; 3]) -> Self {
+    pub(crate) fn new(direction: [f64; 3], from: [f64; 3]) -> Self {
         let first = Vector3::from(direction).normalize();
         // the axis of space that is farthest from the direction
         let other = Vector3::ith(first.iamin(), 1.0);
@@ -46,12 +46,12 @@ impl RootDrive {
         Self { axes: std::array::from_fn(|i| [first[i], second[i], third[i]]), from }
     }
 
-    pub fn direction(&self) -> [f64; 3] {
+    pub(crate) fn direction(&self) -> [f64; 3] {
         self.axes.map(|row| row[0])
     }
 
     /// Where the root is after so far, nm.
-    pub fn root(&self, displacement: f64) -> [f64; 3] {
+    pub(crate) fn root(&self, displacement: f64) -> [f64; 3] {
         let direction = self.direction();
         std::array::from_fn(|i| self.from[i] + displacement * direction[i])
     }
@@ -103,7 +103,7 @@ pub(super) fn grip_of(tree: Arc<BeamTree>, drive: &RootDrive, force: f64) -> Pro
 }
 
 impl Standing {
-    pub fn new(model: &SetaModel, on: TipBranch) -> Result<Self, SetaError> {
+    pub(crate) fn new(model: &SetaModel, on: TipBranch) -> Result<Self, SetaError> {
         let seta = &model.seta;
         let mut beam = seta.tree(&model.mesh)?;
         beam.conditions = vec![JointCondition::free(0)];
@@ -120,12 +120,17 @@ impl Standing {
     }
 
     /// What is solved while the root is moved; `watched` is the first monitor.
-    pub fn problem(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> Problem {
+    pub(crate) fn problem(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> Problem {
         self.problem_of(Arc::new(self.adhering_tree(drive, watched, tangent)), drive)
     }
 
     /// The tree with its tips as they are.
-    pub fn adhering_tree(&self, drive: &RootDrive, watched: Option<JointUnknown>, tangent: TipTangent) -> BeamTree {
+    pub(crate) fn adhering_tree(
+        &self,
+        drive: &RootDrive,
+        watched: Option<JointUnknown>,
+        tangent: TipTangent,
+    ) -> BeamTree {
         let seta = &self.model.seta;
         // a tip that does not adhere softens as well where it is drawn down
         let energy = |(tip, own): (usize, &AdheringTip)| {
@@ -140,23 +145,23 @@ impl Standing {
     }
 
     /// A tree in the grip that moves its root.
-    pub fn problem_of(&self, tree: Arc<BeamTree>, drive: &RootDrive) -> Problem {
+    pub(crate) fn problem_of(&self, tree: Arc<BeamTree>, drive: &RootDrive) -> Problem {
         grip_of(tree, drive, 1.0)
     }
 
     /// Place and directors of a tip in a state.
-    pub fn place(&self, at: &State, tip: usize) -> ([f64; 3], Quaternion) {
+    pub(crate) fn place(&self, at: &State, tip: usize) -> ([f64; 3], Quaternion) {
         self.tree.joint(at, self.model.seta.tip_joint(tip))
     }
 
     /// The branch that a tip goes over to in a state; its own where it stays.
-    pub fn branch(&self, at: &State, tip: usize) -> TipBranch {
+    pub(crate) fn branch(&self, at: &State, tip: usize) -> TipBranch {
         let (place, directors) = self.place(at, tip);
         self.tips[tip].branch(place, directors)
     }
 
     /// Which tips would change between adhering and being detached in a state.
-    pub fn changing(&self, at: &State) -> Vec<usize> {
+    pub(crate) fn changing(&self, at: &State) -> Vec<usize> {
         let changes = |&tip: &usize| {
             let (own, (place, directors)) = (&self.tips[tip], self.place(at, tip));
             own.adheres(place, directors) != own.on.adheres()
@@ -165,7 +170,7 @@ impl Standing {
     }
 
     /// Lets a tip go over to the other branch where it is.
-    pub fn change(&mut self, at: &State, tip: usize) -> TipBranch {
+    pub(crate) fn change(&mut self, at: &State, tip: usize) -> TipBranch {
         let ([x, _, z], _) = self.place(at, tip);
         let own = &mut self.tips[tip];
         own.on = if own.on.adheres() {
@@ -178,7 +183,7 @@ impl Standing {
     }
 
     /// Takes note of where on its branch each tip is in equilibrium.
-    pub fn note(&mut self, at: &State) {
+    pub(crate) fn note(&mut self, at: &State) {
         for tip in 0..self.tips.len() {
             let on = self.branch(at, tip);
             if on.adheres() == self.tips[tip].on.adheres() {
@@ -190,14 +195,14 @@ impl Standing {
     }
 
     /// Energy of a tip with its derivatives in a state.
-    pub fn response(&self, at: &State, tip: usize) -> EndResponse {
+    pub(crate) fn response(&self, at: &State, tip: usize) -> EndResponse {
         let (place, directors) = self.place(at, tip);
         self.tips[tip].response(place, directors)
     }
 
     /// ∂²E/∂y² of a tip that moves along a direction of the seta: h = (∂²E along the height and the rotations of its end) over the square of its
     /// height, nN/nm. A tip whose energy does not depend on its rotation has its own ∂²E/∂y². What holds it along the ground does not count.
-    pub fn softening(&self, response: &EndResponse, tip: usize, direction: &[f64]) -> f64 {
+    pub(crate) fn softening(&self, response: &EndResponse, tip: usize, direction: &[f64]) -> f64 {
         let own = &direction[self.model.seta.tip_joint(tip) * SPATIAL_UNKNOWNS..][..SPATIAL_UNKNOWNS];
         let rate = |i: usize| own[i] / own[HEIGHT];
         let term = |i: usize, j: usize| {
@@ -207,12 +212,12 @@ impl Standing {
     }
 
     /// Force of the ground on a tip, nN.
-    pub fn load(&self, at: &State, tip: usize) -> [f64; 3] {
+    pub(crate) fn load(&self, at: &State, tip: usize) -> [f64; 3] {
         let gradient = self.response(at, tip).gradient;
         std::array::from_fn(|i| -gradient[i])
     }
 
-    pub fn tip_states(&self, at: &State) -> Vec<TipState> {
+    pub(crate) fn tip_states(&self, at: &State) -> Vec<TipState> {
         let state = |(tip, own): (usize, &AdheringTip)| TipState {
             on: self.branch(at, tip),
             foot: own.foot,
@@ -222,18 +227,18 @@ impl Standing {
     }
 
     /// Which way along the height a tip comes to the end of its branch: 1 up, where it adheres, -1 down, where the ground draws it on.
-    pub fn way_out(&self, tip: usize) -> f64 {
+    pub(crate) fn way_out(&self, tip: usize) -> f64 {
         if self.tips[tip].on.adheres() { 1.0 } else { -1.0 }
     }
 
     /// Whether a detached tip comes to the end of its branch when it goes down by so much, nm.
-    pub fn snaps_on_within(&self, at: &State, tip: usize, distance: f64) -> bool {
+    pub(crate) fn snaps_on_within(&self, at: &State, tip: usize, distance: f64) -> bool {
         let ([x, y, z], directors) = self.place(at, tip);
         !self.tips[tip].on.adheres() && self.tips[tip].adheres([x, y - distance, z], directors)
     }
 
     /// How many tips are where their law is an extrapolation.
-    pub fn outside(&self, at: &State) -> usize {
+    pub(crate) fn outside(&self, at: &State) -> usize {
         let is_outside = |&tip: &usize| {
             let (place, directors) = self.place(at, tip);
             !self.tips[tip].is_known(place, directors)
@@ -241,7 +246,7 @@ impl Standing {
         (0..self.tips.len()).filter(is_outside).count()
     }
 
-    pub fn attached(&self) -> usize {
+    pub(crate) fn attached(&self) -> usize {
         self.tips.iter().filter(|tip| tip.on.adheres()).count()
     }
 }

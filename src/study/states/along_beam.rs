@@ -75,13 +75,13 @@ pub(in crate::study) struct PlanarReader<'p> {
 const POINTS_BETWEEN: NonZeroUsize = NonZeroUsize::new(3).expect("three is not zero");
 
 impl<'p> PlanarReader<'p> {
-    pub fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
+    pub(crate) fn new(model: &'p PeelModel, beam: &'p PlanarBeam) -> Self {
         let gauss = NonZeroUsize::new(beam.chain.order()).map_or_else(Vec::new, gauss_legendre);
         Self { model, beam, friction: model.friction_law(), gauss, between: Rule::new(POINTS_BETWEEN) }
     }
 
     /// The fields from S = 0 to S = L.
-    pub fn sections(&self, at: &State) -> Vec<SectionFields> {
+    pub(crate) fn sections(&self, at: &State) -> Vec<SectionFields> {
         let configuration = self.beam.configuration(at);
         let elements = at.mesh.elements();
         let ends = self.beam.chain.node_states(configuration, 0..elements);
@@ -106,7 +106,7 @@ impl<'p> PlanarReader<'p> {
     }
 
     /// The gap of the section at S = 0, nm.
-    pub fn free_end_gap(&self, at: &State) -> f64 {
+    pub(crate) fn free_end_gap(&self, at: &State) -> f64 {
         let ends = self.beam.chain.node_states(self.beam.configuration(at), 0..1);
         self.at_end(at, &ends[0], 0.0).gap
     }
@@ -206,14 +206,14 @@ pub(in crate::study) struct SpatialReader<'p> {
 }
 
 impl<'p> SpatialReader<'p> {
-    pub fn new(model: &PeelModel, beam: &'p SpatialBeam) -> Self {
+    pub(crate) fn new(model: &PeelModel, beam: &'p SpatialBeam) -> Self {
         let gauss = NonZeroUsize::new(beam.chain.order()).map_or_else(Vec::new, gauss_legendre);
         let gauss = gauss.into_iter().map(|(local, weight)| (0.5 * (1.0 + local), 0.5 * weight)).collect();
         Self { beam, outline: model.space.map_or(SectionShape::Rectangle, |space| space.section), gauss }
     }
 
     /// The fields from S = 0 to S = L.
-    pub fn sections(&self, at: &State) -> Vec<SpatialSectionFields> {
+    pub(crate) fn sections(&self, at: &State) -> Vec<SpatialSectionFields> {
         let elements = at.mesh.elements();
         let mut ends = self.beam.end_states(at, 0..elements).into_iter();
         let mut sections = Vec::with_capacity(elements * (1 + self.gauss.len()) + 1);
@@ -229,7 +229,7 @@ impl<'p> SpatialReader<'p> {
     }
 
     /// The gap of the section at S = 0, nm.
-    pub fn free_end_gap(&self, at: &State) -> f64 {
+    pub(crate) fn free_end_gap(&self, at: &State) -> f64 {
         let ends = self.beam.end_states(at, 0..1);
         self.fields(ends[0], 0.0).gap
     }

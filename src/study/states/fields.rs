@@ -45,7 +45,7 @@ pub(in crate::study) enum Reader<'p> {
 }
 
 impl<'p> Reader<'p> {
-    pub fn new(model: &'p PeelModel, beam: &'p Beam) -> Self {
+    pub(crate) fn new(model: &'p PeelModel, beam: &'p Beam) -> Self {
         match beam {
             Beam::Planar(beam) => Self::Planar(PlanarReader::new(model, beam)),
             Beam::Spatial(beam) => Self::Spatial(SpatialReader::new(model, beam)),
@@ -53,13 +53,18 @@ impl<'p> Reader<'p> {
     }
 
     /// The state of a solution of the path.
-    pub fn read(&self, solution: &Solution, limit_point: Option<LimitPointKind>, path_position: f64) -> BeamState {
+    pub(crate) fn read(
+        &self,
+        solution: &Solution,
+        limit_point: Option<LimitPointKind>,
+        path_position: f64,
+    ) -> BeamState {
         let displacement = solution.observables.displacement;
         BeamState { limit_point, path_position, ..self.state(&solution.at, displacement) }
     }
 
     /// The state of a beam whose grip is displaced by so much, nm, wherever on its path.
-    pub fn state(&self, at: &State, displacement: f64) -> BeamState {
+    pub(crate) fn state(&self, at: &State, displacement: f64) -> BeamState {
         BeamState {
             displacement,
             force: at.force,
@@ -75,7 +80,7 @@ impl<'p> Reader<'p> {
     }
 
     /// Distance of the nearer edge of the section at the free end, S = 0, from the ground, nm.
-    pub fn free_end_gap(&self, at: &State) -> f64 {
+    pub(crate) fn free_end_gap(&self, at: &State) -> f64 {
         match self {
             Self::Planar(reader) => reader.free_end_gap(at),
             Self::Spatial(reader) => reader.free_end_gap(at),

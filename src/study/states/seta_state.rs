@@ -216,7 +216,7 @@ pub(in crate::study) struct Axis {
 
 impl Axis {
     /// Place and directors at a share of the length.
-    pub fn at(&self, share: f64) -> (Vector3<f64>, Quaternion) {
+    pub(crate) fn at(&self, share: f64) -> (Vector3<f64>, Quaternion) {
         let along = share * self.pieces.len() as f64;
         let piece = (along as usize).min(self.pieces.len() - 1);
         self.pieces[piece].at(along - piece as f64)

@@ -97,7 +97,7 @@ pub(super) struct FirstOrderChange {
 
 impl FirstOrderChange {
     /// How the limit point of a path moves by a term that does the work `rate` per unit of the path's parameter.
-    pub fn of(trace: &SolutionHistory, point: &LimitPoint, rate: &dyn Fn(&Solution) -> f64) -> Self {
+    pub(crate) fn of(trace: &SolutionHistory, point: &LimitPoint, rate: &dyn Fn(&Solution) -> f64) -> Self {
         let segment = PathSegment::around(&trace.problem, &trace.points, point.after);
         let middle = 0.5 * segment.end();
         let [displacement, force] = [LimitPointKind::Displacement.pick(), LimitPointKind::Load.pick()]
@@ -120,7 +120,7 @@ impl FirstOrderChange {
     }
 
     /// The same for an end of the path at a fixed displacement.
-    pub fn at_end(end: &Solution, rate: &dyn Fn(&Solution) -> f64) -> Self {
+    pub(crate) fn at_end(end: &Solution, rate: &dyn Fn(&Solution) -> f64) -> Self {
         Self { force: rate(end) / end.slope.displacement, displacement: 0.0 }
     }
 }

@@ -46,7 +46,7 @@ const STEP: f64 = 1e-4;
 
 impl<'a> SectionSampling<'a> {
     /// On a path of this model in the plane, with one more point than an element has unknowns along it.
-    pub fn new(model: &'a PeelModel, problem: &'a BeamProblem, solution: &'a Solution) -> Option<Self> {
+    pub(crate) fn new(model: &'a PeelModel, problem: &'a BeamProblem, solution: &'a Solution) -> Option<Self> {
         let beam = problem.beam.planar()?;
         let rule = Rule::new(NonZeroUsize::MIN.saturating_add(problem.beam.order()));
         let places: Vec<f64> = rule.over(0.0, 1.0).map(|(place, _)| place).collect();
@@ -63,7 +63,7 @@ impl<'a> SectionSampling<'a> {
     }
 
     /// dF of F = ∫ density dS, per unit of the path's parameter.
-    pub fn rate(&self, density: impl Fn(&Point) -> f64) -> f64 {
+    pub(crate) fn rate(&self, density: impl Fn(&Point) -> f64) -> f64 {
         let total = |at: Configuration<'_>| {
             let mut sum = 0.0;
             self.each(at, |weight, point| sum += weight * density(&point));
@@ -78,7 +78,7 @@ impl<'a> SectionSampling<'a> {
     /// What friction would dissipate at its limit, per unit of the path's parameter: ∫ b τ |dx_b + c| dS, x_b the place of the face,
     /// with the c for which it is least. That is how a beam slides which friction alone holds along the substrate: what it carries
     /// one way and the other balances.
-    pub fn dissipation(&self, law: &FrictionLaw) -> f64 {
+    pub(crate) fn dissipation(&self, law: &FrictionLaw) -> f64 {
         let (step, beam) = (self.step(), self.beam);
         let [onward, backward] = [step, -step].map(|step| self.solution.moved(self.problem, step));
         let mut ways = Vec::new();
@@ -95,7 +95,7 @@ impl<'a> SectionSampling<'a> {
     }
 
     /// δR · dq of a load that turns the sections, ∫ moment dθ dS, per unit of the path's parameter.
-    pub fn work_of_moment(&self, moment: impl Fn(&Point) -> f64) -> f64 {
+    pub(crate) fn work_of_moment(&self, moment: impl Fn(&Point) -> f64) -> f64 {
         let (beam, at) = (self.beam, &self.solution.at);
         let here = beam.configuration(at);
         let change = Configuration { state: beam.nodes(&self.solution.tangent.direction), ..here };
@@ -107,7 +107,7 @@ impl<'a> SectionSampling<'a> {
     }
 
     /// The least |cos θ| of its sections.
-    pub fn steepest(&self) -> f64 {
+    pub(crate) fn steepest(&self) -> f64 {
         let mut least = f64::INFINITY;
         let at = self.beam.configuration(&self.solution.at);
         self.each(at, |_, point| least = least.min(point.rotation.cos().abs()));
@@ -158,20 +158,20 @@ impl<'a> SectionSampling<'a> {
 
 impl Point {
     /// Ψ on level ground times the width, nN.
-    pub fn adhesion(&self, law: &LineLaw) -> f64 {
+    pub(crate) fn adhesion(&self, law: &LineLaw) -> f64 {
         let (sin, cos) = self.rotation.sin_cos();
         self.width * law.response_of(self.height, self.gap, sin, cos).energy
     }
 
     /// The same on ground of any shape, of a beam that lies higher by `lift`, nm.
-    pub fn adhesion_on(&self, ground: &GroundLaw, lift: f64) -> f64 {
+    pub(crate) fn adhesion_on(&self, ground: &GroundLaw, lift: f64) -> f64 {
         let (sin, cos) = self.rotation.sin_cos();
         self.width * ground.response(self.height, [self.x, self.gap + lift], [sin, cos]).energy
     }
 
     /// What Ψ on level ground times the width changes by, nN, to first order in heights and slopes of the ground, where the beam lies
     /// higher by `lift`, nm. In contact, where Ψ hardly changes with the gap, the beam follows the ground: the second order is no energy.
-    pub fn adhesion_by_ground(&self, law: &LineLaw, substrate: &Substrate, lift: f64) -> f64 {
+    pub(crate) fn adhesion_by_ground(&self, law: &LineLaw, substrate: &Substrate, lift: f64) -> f64 {
         let (sin, cos) = self.rotation.sin_cos();
         let response = law.response_of(self.height, self.gap, sin, cos);
         let (height, foot) = (-substrate.clearance(self.x, 0.0), substrate.project(self.x, 0.0));
@@ -180,12 +180,12 @@ impl Point {
     }
 
     /// ½ Q²/GA_s
-    pub fn shear(&self) -> f64 {
+    pub(crate) fn shear(&self) -> f64 {
         0.5 * self.shear * self.shear / self.section.shear
     }
 
     /// N Γ1 - w: ½ N²/EA where the stretch is linear.
-    pub fn extension(&self) -> f64 {
+    pub(crate) fn extension(&self) -> f64 {
         self.stretch.complementary_energy(self.section.axial, self.normal)
     }
 

@@ -56,7 +56,7 @@ macro_rules! shapes {
             }
 
             /// Between these openings δ/δ_r, ascending, s is a polynomial of degree 8 at most, or smooth altogether.
-            pub fn knots(self) -> &'static [f64] {
+            pub(crate) fn knots(self) -> &'static [f64] {
                 match self.knots_of_parts().split_first() {
                     Some((_, knots)) => knots,
                     None => &[],
@@ -64,7 +64,7 @@ macro_rules! shapes {
             }
 
             /// The same, with zero before them, where what attracts an open face and what repels a pressed one join.
-            pub fn knots_of_parts(self) -> &'static [f64] {
+            pub(crate) fn knots_of_parts(self) -> &'static [f64] {
                 match self {
                     $(Self::$shape => $file::KNOTS,)*
                     Self::Measured(curve) => curve.knots(),
@@ -72,7 +72,7 @@ macro_rules! shapes {
             }
 
             /// How many times as many elements its corners take: the narrower they are, the more; 1 where it has none.
-            pub const fn corners(self) -> f64 {
+            pub(crate) const fn corners(self) -> f64 {
                 match self {
                     $(Self::$shape => $file::CORNERS,)*
                     Self::Measured(_) => tabulated::CORNERS,

@@ -26,7 +26,7 @@ impl OpeningRate {
     pub const EXPONENTS: [f64; 2] = [0.01, 2.0];
 
     /// g - 1 and its derivative by the rate (nm/ns), ns/nm.
-    pub fn excess(&self, rate: f64) -> [f64; 2] {
+    pub(crate) fn excess(&self, rate: f64) -> [f64; 2] {
         if rate <= 0.0 {
             return [0.0; 2];
         }

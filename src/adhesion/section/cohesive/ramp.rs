@@ -27,7 +27,7 @@ impl<const CORNERS: usize> Lines<CORNERS> {
     /// The integral from t on, the value, and the slope. As r(x) - r(-x) = x for a ramp r, the lines t + Σ c r(t - place) with
     /// changes c of the slope are Σ c r(place - t) as well, which is nothing behind the last corner.
     #[inline]
-    pub const fn at(&self, t: f64) -> At {
+    pub(crate) const fn at(&self, t: f64) -> At {
         let mut sums = [0.0; 3];
         let mut k = 0;
         while k < CORNERS {
@@ -43,7 +43,7 @@ impl<const CORNERS: usize> Lines<CORNERS> {
 
     /// The integral of the integral of `at`, from t on.
     #[inline]
-    pub const fn primitive(&self, t: f64) -> f64 {
+    pub(crate) const fn primitive(&self, t: f64) -> f64 {
         let mut sum = 0.0;
         let mut k = 0;
         while k < CORNERS {
@@ -55,7 +55,7 @@ impl<const CORNERS: usize> Lines<CORNERS> {
     }
 
     /// Zero, and where the rounding of each corner begins and ends: one more than twice the corners.
-    pub const fn knots<const KNOTS: usize>(&self) -> [f64; KNOTS] {
+    pub(crate) const fn knots<const KNOTS: usize>(&self) -> [f64; KNOTS] {
         let mut knots = [0.0; KNOTS];
         let mut k = 1;
         while k < KNOTS {
@@ -67,7 +67,7 @@ impl<const CORNERS: usize> Lines<CORNERS> {
     }
 
     /// The largest value, where it is at the first corner.
-    pub const fn top(&self) -> f64 {
+    pub(crate) const fn top(&self) -> f64 {
         let Corner { place, half, .. } = self.corners[0];
         let (mut low, mut high) = (place - half, place + half);
         let mut k = 0;

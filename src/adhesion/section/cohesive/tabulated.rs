@@ -70,7 +70,7 @@ impl Default for TractionTable {
 
 impl TractionTable {
     /// Fewest rows and most: every row that an element passes takes a piece of it.
-    pub const LEAST_ROWS: usize = 3;
+    pub(crate) const LEAST_ROWS: usize = 3;
     /// Most rows
     pub const MOST_ROWS: usize = 200;
 

@@ -87,7 +87,7 @@ impl EnergyDensity<3> for BeamOnGround {
         response.value_value[2][2] = response.value_value[2][2] - force * sine;
     }
 
-    /// Place, mobilisation and limit of the face: [`FrictionState`].
+    /// Place, mobilisation and limit of the face: `FrictionState`.
     fn remembered(&self, place: f64, value: [f64; 3], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
         let Some(friction) = &self.friction else { return (before, 0.0) };
         let [from, mobilisation, limit, _] = before;

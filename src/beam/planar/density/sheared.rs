@@ -13,7 +13,7 @@ use crate::solve::state::MEMORIES;
 /// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS` the law is
 /// that of a face that does not heal, and [`Point::memory`] has how far this has been.
 #[derive(Clone, Debug)]
-pub struct ShearedBeam<const REMEMBERS: bool> {
+pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
     /// The beam from place to place
     pub profile: Profile,
     /// What adheres it to the flat ground

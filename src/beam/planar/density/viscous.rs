@@ -16,7 +16,7 @@ use crate::beam::stretch_law::StretchLaw;
 use crate::number::Real;
 
 /// A density of three fields that knows the elastic stiffness of its sections.
-pub trait ElasticSections: EnergyDensity<3> {
+pub(crate) trait ElasticSections: EnergyDensity<3> {
     /// EA, GA_s and EI at S, nm, and h'/2, by how much the axis rises faster than the height field.
     fn stiffness_at<T: Real>(&self, place: T) -> (Section<T>, T);
 
@@ -53,7 +53,7 @@ impl ElasticSections for ReissnerRod {
 /// A density whose material is viscous besides, and whose adhesive may resist its opening. [`Point::memory`] has the known strains and the factor f,
 /// the known distance of the face, and c.
 #[derive(Clone, Debug)]
-pub struct Viscous<D> {
+pub(crate) struct Viscous<D> {
     /// Without either
     pub density: D,
     /// An adhesive that resists its opening
@@ -62,7 +62,7 @@ pub struct Viscous<D> {
 
 impl<D> Viscous<D> {
     /// Of a viscous material alone.
-    pub const fn material(density: D) -> Self {
+    pub(crate) const fn material(density: D) -> Self {
         Self { density, adhesive: None }
     }
 }

@@ -50,7 +50,7 @@ pub(super) struct Kernels<const F: usize> {
 }
 
 /// [`Chain`](crate::beam::Chain) of F fields a node.
-pub struct UniformChain<const F: usize> {
+pub(crate) struct UniformChain<const F: usize> {
     pub(super) density: Box<dyn PlanarIntegrand<F>>,
     pub(super) basis: Basis,
     /// Whether the tangent is symmetric.

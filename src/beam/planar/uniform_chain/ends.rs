@@ -15,7 +15,12 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     /// What condensation left of element `l` of a bundle: rows and columns of the left end, the right end and the border, then
     /// the residual and the path.
     #[inline(always)]
-    pub fn block(nodes: impl Nodes, front: &FrontalMatrix<F64x4, F>, symmetric: bool, l: usize) -> [EndRow; EDGE] {
+    pub(crate) fn block(
+        nodes: impl Nodes,
+        front: &FrontalMatrix<F64x4, F>,
+        symmetric: bool,
+        l: usize,
+    ) -> [EndRow; EDGE] {
         let mut block = [[0.0; EDGE]; EDGE];
         let ends = [nodes.count() - 2, nodes.count() - 1];
         for i in 0..2 * F {
@@ -47,7 +52,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
 
     /// The left end of the chain: its part of the path functional, and the fields that are held.
     #[inline(always)]
-    pub fn start(
+    pub(crate) fn start(
         block: &mut [EndRow; EDGE],
         path: &ConstraintGradient,
         pinned: &[Option<f64>; F],
@@ -67,7 +72,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
     /// Eliminates the left end; each pivot is replaced by one over it. Returns how many pivots were negative, and the least
     /// without its sign.
     #[inline(always)]
-    pub fn eliminate(block: &mut [EndRow; EDGE]) -> (usize, f64) {
+    pub(crate) fn eliminate(block: &mut [EndRow; EDGE]) -> (usize, f64) {
         let (mut negative, mut least) = (0, f64::INFINITY);
         for k in 0..F {
             let row = block[k];
@@ -87,7 +92,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
 
     /// Keeps what stands below the pivots in the rows of the right end and of the border.
     #[inline(always)]
-    pub fn keep_below(block: &[EndRow; EDGE], below: &mut BelowEnd) {
+    pub(crate) fn keep_below(block: &[EndRow; EDGE], below: &mut BelowEnd) {
         for i in F..Self::KNOWN {
             for k in 0..F {
                 below[i - F][k] = block[i][k];
@@ -97,7 +102,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
 
     /// What is left on the right end, the border and the path.
     #[inline(always)]
-    pub fn load(block: &[EndRow; EDGE]) -> [[f64; ROOT]; ROOT] {
+    pub(crate) fn load(block: &[EndRow; EDGE]) -> [[f64; ROOT]; ROOT] {
         let mut carry = [[0.0; ROOT]; ROOT];
         for i in 0..=Self::KNOWN - F {
             for j in 0..=Self::KNOWN - F {
@@ -109,7 +114,7 @@ impl<const F: usize, const BORDER: bool> Ends<F, BORDER> {
 
     /// Adds what the element before left to the left end.
     #[inline(always)]
-    pub fn unload(carry: &[[f64; ROOT]; ROOT], block: &mut [EndRow; EDGE]) {
+    pub(crate) fn unload(carry: &[[f64; ROOT]; ROOT], block: &mut [EndRow; EDGE]) {
         let place = |i: usize| if i < F { i } else { F + i };
         for i in 0..=Self::KNOWN - F {
             for j in 0..=Self::KNOWN - F {

@@ -51,7 +51,7 @@ impl<const F: usize> Kernels<F> {
 impl<const F: usize> UniformChain<F> {
     /// A chain of elements of an order, 1 to 8, whose left end is free but for the fields that `pinned_left` holds at a value.
     /// Panics unless `BORDER` is what the density has.
-    pub fn new<const BORDER: bool>(
+    pub(crate) fn new<const BORDER: bool>(
         density: Box<dyn PlanarIntegrand<F>>,
         order: usize,
         pinned_left: [Option<f64>; F],

@@ -54,7 +54,7 @@ pub(in crate::beam::spatial) struct Products {
 
 impl Products {
     /// Of the elements of a basis.
-    pub fn new(basis: &Basis) -> Self {
+    pub(crate) fn new(basis: &Basis) -> Self {
         let nodes = basis.order + 1;
         let (mut pairs, mut alone) = (Vec::new(), Vec::new());
         for a in 0..nodes {
@@ -74,7 +74,7 @@ impl Products {
 
     /// Writes the tangent of four elements into their front, on and above its diagonal of nodes.
     #[inline(always)]
-    pub fn assemble(
+    pub(crate) fn assemble(
         &self,
         nodes: impl Nodes,
         basis: &Basis,

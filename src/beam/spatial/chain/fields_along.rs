@@ -10,7 +10,7 @@ const N: usize = SPATIAL_FIELDS;
 
 /// Fields node by node, from S = 0 on, and where their elements end.
 #[derive(Clone, Copy)]
-pub struct FieldsAlong<'a> {
+pub(crate) struct FieldsAlong<'a> {
     /// Of the elements
     pub basis: &'a Basis,
     /// S of their ends, nm
@@ -21,7 +21,7 @@ pub struct FieldsAlong<'a> {
 
 impl<'a> FieldsAlong<'a> {
     /// Of a chain.
-    pub fn of(chain: &'a SpatialChain, at: SpatialConfiguration<'a>) -> Self {
+    pub(crate) fn of(chain: &'a SpatialChain, at: SpatialConfiguration<'a>) -> Self {
         Self { basis: &chain.basis, boundaries: at.boundaries, fields: at.fields }
     }
 
@@ -37,7 +37,7 @@ impl<'a> FieldsAlong<'a> {
 
     /// The fields on boundaries of elements that lie a little beside: each node moved along the polynomial of its element, to second order in the
     /// move.
-    pub fn shifted(&self, boundaries: &[f64]) -> Vec<f64> {
+    pub(crate) fn shifted(&self, boundaries: &[f64]) -> Vec<f64> {
         let (basis, order) = (self.basis, self.basis.order);
         let (nodes, count) = (AnyNumber::of_order(order), order + 1);
         let mut fields = self.fields.to_vec();
@@ -62,7 +62,7 @@ impl<'a> FieldsAlong<'a> {
     }
 
     /// The fields on other boundaries of elements, each new node read off the element it falls in.
-    pub fn resampled(&self, boundaries: &[f64]) -> Vec<f64> {
+    pub(crate) fn resampled(&self, boundaries: &[f64]) -> Vec<f64> {
         let (order, mut old) = (self.basis.order, 0);
         let mut fields = Vec::with_capacity(((boundaries.len() - 1) * order + 1) * N);
         for (e, pair) in boundaries.windows(2).enumerate() {

@@ -3,7 +3,7 @@
 pub(super) mod assembly;
 pub(in crate::beam::spatial) mod fields_along;
 pub(crate) mod projection;
-pub mod read;
+pub(crate) mod read;
 pub(crate) mod room;
 pub(crate) mod spatial_chain;
 pub(super) mod sweep;

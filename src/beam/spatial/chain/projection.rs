@@ -9,13 +9,13 @@ use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 
 /// The front of four elements in the unknowns of their nodes.
-pub type SpatialFront = FrontalMatrix<F64x4, SPATIAL_UNKNOWNS>;
+pub(crate) type SpatialFront = FrontalMatrix<F64x4, SPATIAL_UNKNOWNS>;
 /// The same in the fields.
-pub type FieldFront = FrontalMatrix<F64x4, SPATIAL_FIELDS>;
+pub(crate) type FieldFront = FrontalMatrix<F64x4, SPATIAL_FIELDS>;
 
 /// T at a quaternion of length one, by rows.
 #[inline(always)]
-pub fn turn_to_quaternion<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 4] {
+pub(crate) fn turn_to_quaternion<T: Real>([w, x, y, z]: [T; 4]) -> [[T; 3]; 4] {
     let [w, x, y, z] = [w * 0.5, x * 0.5, y * 0.5, z * 0.5];
     [[-x, -y, -z], [w, -z, y], [z, w, -x], [-y, x, w]]
 }
@@ -104,14 +104,14 @@ pub(in crate::beam::spatial) const SAME: Matrix3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 
 impl EndMaps {
     /// That change nothing.
     #[inline(always)]
-    pub fn same() -> Self {
+    pub(crate) fn same() -> Self {
         let turn = SAME.map(|row| row.map(F64x4::splat));
         Self { place: None, turn, bent: [[F64x4::splat(0.0); 3]; 3] }
     }
 
     /// Sets that of element `l`, and how it is bent.
     #[inline(always)]
-    pub fn set(&mut self, l: usize, map: &EndMap, bent: &Matrix3) {
+    pub(crate) fn set(&mut self, l: usize, map: &EndMap, bent: &Matrix3) {
         set_lane(&mut self.turn, l, &map.turn);
         set_lane(&mut self.bent, l, bent);
         if self.place.is_some() || map.place != SAME {
@@ -122,7 +122,7 @@ impl EndMaps {
 
     /// Takes a front from the unknowns of node `at` to those of the ends; what is bent is added to the blocks of their turns.
     #[inline(always)]
-    pub fn apply(&self, nodes: impl Nodes, at: usize, front: &mut SpatialFront) {
+    pub(crate) fn apply(&self, nodes: impl Nodes, at: usize, front: &mut SpatialFront) {
         for a in 0..=at {
             for f in 0..SPATIAL_UNKNOWNS {
                 self.back(&mut front.rows[a][f].fields[at]);

@@ -30,7 +30,7 @@ impl SpatialChain {
     }
 
     /// A direction as one of the nodes alone, without ends of their own.
-    pub fn direction_of_nodes(&self, at: SpatialConfiguration, direction: &[f64]) -> Vec<f64> {
+    pub(crate) fn direction_of_nodes(&self, at: SpatialConfiguration, direction: &[f64]) -> Vec<f64> {
         let mut own = direction.to_vec();
         let last = own.len() - F;
         for (end, from) in [(0, 0), (1, last)] {
@@ -79,7 +79,7 @@ impl SpatialChain {
     }
 
     /// The residual of the unknowns of the right end alone, to which one element contributes.
-    pub fn residual_of_right_end(&self, at: SpatialConfiguration) -> [f64; F] {
+    pub(crate) fn residual_of_right_end(&self, at: SpatialConfiguration) -> [f64; F] {
         let (by, last) = (self.integration(self.nodes()), slot(self.basis.order + 1, self.basis.order));
         let element = self.element(at, at.boundaries.len() - 2);
         let turned = turn_to_quaternion(quaternion_of(&element.values[last]));
@@ -89,7 +89,7 @@ impl SpatialChain {
     }
 
     /// The gradient of the coverage.
-    pub fn coverage_gradient(&self, at: SpatialConfiguration) -> Vec<f64> {
+    pub(crate) fn coverage_gradient(&self, at: SpatialConfiguration) -> Vec<f64> {
         let by = self.integration(self.nodes());
         let fields = self.summed(at, |element| element.coverage_forces(&by));
         self.by_unknowns(at, &fields)
@@ -111,7 +111,7 @@ impl SpatialChain {
 
     /// Section force (along x, y, z, nN) and moment (about the directors, nN·nm) at the ends of the elements of a range, from nodal forces:
     /// as accurate as the energy. From the left end of the first element on.
-    pub fn end_forces(&self, at: SpatialConfiguration, elements: Range<usize>) -> Vec<[f64; F]> {
+    pub(crate) fn end_forces(&self, at: SpatialConfiguration, elements: Range<usize>) -> Vec<[f64; F]> {
         let (order, by) = (self.basis.order, self.integration(self.nodes()));
         let mut ends = Vec::with_capacity(elements.len() + 1);
         for e in elements.clone() {
@@ -140,7 +140,7 @@ impl SpatialChain {
 }
 
 /// Makes the quaternion of a node one of length one.
-pub fn normalise(node: &mut [f64]) {
+pub(crate) fn normalise(node: &mut [f64]) {
     let unit = normalised(quaternion_of(node));
     node[3..].copy_from_slice(&unit);
 }

@@ -12,7 +12,7 @@ use crate::solve::frontal::nodes::Nodes;
 use std::sync::Arc;
 
 /// Room for four elements.
-pub struct SpatialRoom {
+pub(crate) struct SpatialRoom {
     /// Their numbers
     pub bundle: Element<F64x4, SPATIAL_FIELDS>,
     fields: Box<FieldFront>,

@@ -28,13 +28,13 @@ pub struct SpatialEnd {
 
 impl SpatialEnd {
     /// Whether its unknowns are those of its node: it turns freely, and its axes are x, y and z.
-    pub fn is_node(&self) -> bool {
+    pub(crate) fn is_node(&self) -> bool {
         self.rotation == EndRotation::Free && self.axes == SAME
     }
 }
 
 /// The order that is used where none is asked for: its loops are compiled for it alone, those of the others for any.
-pub const USUAL_ORDER: usize = 7;
+pub(crate) const USUAL_ORDER: usize = 7;
 
 /// The chain.
 #[derive(Clone, Debug)]
@@ -90,12 +90,12 @@ impl SpatialChain {
     }
 
     /// Place of the node of a rank in its element, from 0 to 1.
-    pub fn node_fraction(&self, rank: usize) -> f64 {
+    pub(crate) fn node_fraction(&self, rank: usize) -> f64 {
         0.5 * (1.0 + self.basis.nodes[slot(self.basis.order + 1, rank)])
     }
 
     /// Weight of the node of a rank in the Gauss-Lobatto rule of its element, as a fraction of its length.
-    pub fn node_weight(&self, rank: usize) -> f64 {
+    pub(crate) fn node_weight(&self, rank: usize) -> f64 {
         self.basis.lobatto_weight(slot(self.basis.order + 1, rank))
     }
 
@@ -176,7 +176,7 @@ pub(super) fn gather_nodes<const F: usize>(
 }
 
 /// The quaternion of a node's fields.
-pub fn quaternion_of(node: &[f64]) -> Quaternion {
+pub(crate) fn quaternion_of(node: &[f64]) -> Quaternion {
     [node[3], node[4], node[5], node[6]]
 }
 

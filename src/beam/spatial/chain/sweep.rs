@@ -83,7 +83,7 @@ impl SpatialChain {
     }
 
     /// Where an end is along its axes, and its angles.
-    pub fn end_values(&self, at: SpatialConfiguration, end: usize) -> [f64; SPATIAL_UNKNOWNS] {
+    pub(crate) fn end_values(&self, at: SpatialConfiguration, end: usize) -> [f64; SPATIAL_UNKNOWNS] {
         let node = self.end_node(at, end);
         let place = apply_transposed(&self.ends[end].axes, &[node[0], node[1], node[2]]);
         std::array::from_fn(|f| if f < 3 { place[f] } else { at.angles[end][f - 3] })

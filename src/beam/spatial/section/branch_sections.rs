@@ -33,13 +33,6 @@ pub struct AdheringSections {
 }
 
 impl AdheringSections {
-    /// Of a straight branch that is the same all along.
-    pub fn uniform(stiffness: SpatialStiffness, law: SpatialSection) -> Self {
-        let height = law.law().height;
-        let profile = SpatialProfile::uniform(stiffness, law.width(), height);
-        Self { profile, lying: LyingSection::of(&law, &stiffness), law }
-    }
-
     /// Height of the lowest point of a section at S with these fields above the ground, nm.
     pub(in crate::beam::spatial) fn lowest(&self, place: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
         lowest(self.profile.outline(place), self.law.shape(), fields)

@@ -15,7 +15,7 @@
 //!
 //! and Rᵀ e_y as Γ with γ = 0. Source: J. C. Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Eng. 49 (1985).
 
-pub use super::kinematics::SPATIAL_FIELDS;
+use super::kinematics::SPATIAL_FIELDS;
 use super::kinematics::{Kinematics, turned_twice};
 use super::local_adhesion::LocalAdhesion;
 use super::spatial_profile::SpatialProfile;
@@ -172,7 +172,7 @@ impl SpatialDensity {
     }
 
     /// Section forces and moments along and about the directors.
-    pub fn section_forces(
+    pub(crate) fn section_forces(
         &self,
         place: f64,
         value: &[f64; SPATIAL_FIELDS],

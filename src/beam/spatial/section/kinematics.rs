@@ -6,10 +6,10 @@ use crate::beam::spatial::rotation::{Matrix3, apply_transposed, conjugate, cross
 use crate::number::Real;
 
 /// Unknowns of a node.
-pub const SPATIAL_UNKNOWNS: usize = 6;
+pub(crate) const SPATIAL_UNKNOWNS: usize = 6;
 
 /// Fields of a beam in space: x, y, z and the quaternion.
-pub const SPATIAL_FIELDS: usize = 7;
+pub(crate) const SPATIAL_FIELDS: usize = 7;
 
 /// What is known at a point: lengths, the frame, the strains.
 pub(crate) struct Kinematics<T> {
@@ -29,7 +29,7 @@ pub(crate) struct Kinematics<T> {
 
 impl<T: Real> Kinematics<T> {
     #[inline(always)]
-    pub fn new(value: &[T; SPATIAL_FIELDS], slope: &[T; SPATIAL_FIELDS]) -> Self {
+    pub(crate) fn new(value: &[T; SPATIAL_FIELDS], slope: &[T; SPATIAL_FIELDS]) -> Self {
         let [dx, dy, dz, s0, s1, s2, s3] = *slope;
         let q = [value[3], value[4], value[5], value[6]];
         let per_length = inner(q, q).each(|square| [1.0 / square.sqrt()])[0];
@@ -49,14 +49,14 @@ impl<T: Real> Kinematics<T> {
 
     /// Γ and K - K0.
     #[inline(always)]
-    pub fn strains(&self, rest: &[T; 3]) -> [T; 6] {
+    pub(crate) fn strains(&self, rest: &[T; 3]) -> [T; 6] {
         let ([g0, g1, g2], k) = (self.stretch, self.turn);
         [g0 - 1.0, g1, g2, k[0] - rest[0], k[1] - rest[1], k[2] - rest[2]]
     }
 
     /// The columns of q̂ ∘ (1, e1, e2, e3), over |q|: from local changes to those of the field.
     #[inline(always)]
-    pub fn basis(&self) -> [[T; 4]; 4] {
+    pub(crate) fn basis(&self) -> [[T; 4]; 4] {
         let [w, x, y, z] = self.unit.map(|entry| entry * self.per_length);
         [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]]
     }

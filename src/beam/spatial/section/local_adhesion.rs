@@ -21,7 +21,7 @@ pub(crate) struct LocalAdhesion<T> {
 impl<T: Real> LocalAdhesion<T> {
     /// None.
     #[inline(always)]
-    pub fn none() -> Self {
+    pub(crate) fn none() -> Self {
         let zero = T::splat(0.0);
         Self {
             energy: zero,
@@ -38,7 +38,7 @@ impl<T: Real> LocalAdhesion<T> {
 
     /// At the height of the axis, nm.
     #[inline(always)]
-    pub fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
+    pub(crate) fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
         let zero = T::splat(0.0);
         let up = at.frame[1];
         let (b, h) = (station.width, station.height);

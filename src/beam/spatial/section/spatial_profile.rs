@@ -66,7 +66,7 @@ impl SpatialProfile {
     }
 
     /// b and h at one place alone, nm.
-    pub fn outline(&self, place: f64) -> [f64; 2] {
+    pub(crate) fn outline(&self, place: f64) -> [f64; 2] {
         match self {
             Self::Uniform(station) => [station.width, station.height],
             Self::Varying(beam) => {

@@ -12,7 +12,7 @@ use crate::number::F64x4;
 use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
 
 /// Numbers that are remembered at a point.
-pub const STRAINS: usize = 6;
+pub(crate) const STRAINS: usize = 6;
 
 /// What a viscous material remembers before a step in time.
 #[derive(Clone, Copy, Debug)]

@@ -103,22 +103,22 @@ pub(super) struct TreeEnd {
 
 impl TreeBranch {
     /// The joint that is farther from the root.
-    pub fn far_joint(&self) -> usize {
+    pub(crate) fn far_joint(&self) -> usize {
         self.joints[1 - self.near]
     }
 
     /// The joint that is nearer to the root.
-    pub fn near_joint(&self) -> usize {
+    pub(crate) fn near_joint(&self) -> usize {
         self.joints[self.near]
     }
 
     /// The k-th of its elements, counted from the far joint on.
-    pub fn inwards(&self, k: usize) -> usize {
+    pub(crate) fn inwards(&self, k: usize) -> usize {
         if self.near == 1 { k } else { self.elements - 1 - k }
     }
 
     /// S of the ends of its elements in a mesh, nm.
-    pub fn ends<'a>(&'a self, mesh: &'a Mesh) -> &'a [f64] {
+    pub(crate) fn ends<'a>(&'a self, mesh: &'a Mesh) -> &'a [f64] {
         match &self.mesh {
             BranchMesh::Fixed(ends) => ends,
             BranchMesh::Following { .. } => &mesh.boundaries[self.first_boundary..][..=self.elements],
@@ -126,7 +126,7 @@ impl TreeBranch {
     }
 
     /// Number of a node of an element: of a rank from 0 to p.
-    pub fn node(&self, order: usize, element: usize, rank: usize) -> usize {
+    pub(crate) fn node(&self, order: usize, element: usize, rank: usize) -> usize {
         match element * order + rank {
             0 => self.joints[0],
             k if k == self.elements * order => self.joints[1],
@@ -135,7 +135,7 @@ impl TreeBranch {
     }
 
     /// Which joint a node of an element is, as an end of the branch.
-    pub fn end_at(&self, order: usize, element: usize, rank: usize) -> Option<usize> {
+    pub(crate) fn end_at(&self, order: usize, element: usize, rank: usize) -> Option<usize> {
         match element * order + rank {
             0 => Some(0),
             k if k == self.elements * order => Some(1),
@@ -177,12 +177,12 @@ impl BeamTree {
     }
 
     /// Place (nm) and directors of a branch in the stress-free configuration, at S.
-    pub fn rest_at(&self, branch: usize, place: f64) -> ([f64; 3], Quaternion) {
+    pub(crate) fn rest_at(&self, branch: usize, place: f64) -> ([f64; 3], Quaternion) {
         self.branches[branch].rest.at(place)
     }
 
     /// Places and directors of a branch between its joints, where two elements meet.
-    pub fn between_joints(&self, at: &State, branch: usize) -> Vec<([f64; 3], Quaternion)> {
+    pub(crate) fn between_joints(&self, at: &State, branch: usize) -> Vec<([f64; 3], Quaternion)> {
         let own = &self.branches[branch];
         let end = |element| {
             let node = self.fields(&at.values, own, element, self.order());
@@ -328,14 +328,14 @@ pub(super) struct NodeRates {
 }
 
 impl NodeRates {
-    pub fn new([x, y, z, a, b, c]: [f64; SPATIAL_UNKNOWNS]) -> Self {
+    pub(crate) fn new([x, y, z, a, b, c]: [f64; SPATIAL_UNKNOWNS]) -> Self {
         Self { place: [x, y, z], turn: [a, b, c] }
     }
 }
 
 impl NodeInertia {
     /// m dv/dt, and J dΩ/dt + Ω × JΩ.
-    pub fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; SPATIAL_UNKNOWNS] {
+    pub(crate) fn forces(&self, rates: NodeRates, change: NodeRates) -> [f64; SPATIAL_UNKNOWNS] {
         let (spin, torque) = (apply(&self.moments, &rates.turn), apply(&self.moments, &change.turn));
         let gyroscopic = cross(rates.turn, spin);
         std::array::from_fn(|k| if k < 3 { self.mass * change.place[k] } else { torque[k - 3] + gyroscopic[k - 3] })
@@ -344,7 +344,10 @@ impl NodeInertia {
 
 impl BeamTree {
     /// With other energies at joints that have a condition; of a joint without one nothing changes.
-    pub fn with_energies(&self, energies: impl IntoIterator<Item = (usize, Option<Arc<dyn EndEnergy>>)>) -> Self {
+    pub(crate) fn with_energies(
+        &self,
+        energies: impl IntoIterator<Item = (usize, Option<Arc<dyn EndEnergy>>)>,
+    ) -> Self {
         let mut tree = self.clone();
         let ends = Arc::make_mut(&mut tree.ends);
         for (joint, energy) in energies {
@@ -356,7 +359,7 @@ impl BeamTree {
     }
 
     /// With adhesion along the branches that adhere as far as `adheres` says so of their numbers: the others are beams on their own until then.
-    pub fn with_adhesion(&self, adheres: impl Fn(usize) -> bool) -> Self {
+    pub(crate) fn with_adhesion(&self, adheres: impl Fn(usize) -> bool) -> Self {
         let mut tree = self.clone();
         let branches = Arc::make_mut(&mut tree.branches);
         for (b, branch) in branches.iter_mut().enumerate() {
@@ -390,7 +393,7 @@ impl BeamTree {
 
     /// As it answers a jump, within which what it remembers stays the same: with the stiffness of fast loading. None where a dashpot stands beside
     /// every spring: such a material does not jump.
-    pub fn in_jump(&self, memory: &[f64]) -> Option<Self> {
+    pub(crate) fn in_jump(&self, memory: &[f64]) -> Option<Self> {
         let factor = match self.viscosity {
             Viscosity::Elastic => return Some(self.clone()),
             Viscosity::KelvinVoigt { .. } => return None,

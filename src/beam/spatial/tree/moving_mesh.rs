@@ -126,7 +126,7 @@ impl BeamTree {
     }
 
     /// A state of a tree with the same joints and branches, read off on the elements of this one, whose order is the same.
-    pub fn read_from(&self, other: &Self, at: &State) -> State {
+    pub(crate) fn read_from(&self, other: &Self, at: &State) -> State {
         let mesh = self.mesh_near(&at.mesh.follows, &Mesh::default());
         let (joints, angles) = (self.joints() * N, self.ends.len() * ANGLES);
         let mut values = vec![0.0; self.nodes * N + angles];
@@ -190,7 +190,7 @@ impl BeamTree {
 
     /// A state whose joints, and sections of branches at S (nm), have these places and directors. Nothing says that it is in equilibrium. Angles
     /// of ends are zero.
-    pub fn laid_along(
+    pub(crate) fn laid_along(
         &self,
         joint: impl Fn(usize) -> ([f64; 3], Quaternion),
         section: impl Fn(usize, f64) -> ([f64; 3], Quaternion),
@@ -215,7 +215,7 @@ impl BeamTree {
     }
 
     /// The stress-free state, with all nodes higher, nm.
-    pub fn stress_free_above(&self, height: f64) -> State {
+    pub(crate) fn stress_free_above(&self, height: f64) -> State {
         let mut at = self.stress_free(0);
         at.values[..self.nodes * N].chunks_exact_mut(N).for_each(|node| node[1] += height);
         at
@@ -242,7 +242,7 @@ impl BeamTree {
 
     /// Distance of a branch that adheres from the ground, nm: of the lowest points of its sections, at its nodes and at the Gauss points between them; infinite of one
     /// that does not.
-    pub fn nearest(&self, at: &State, branch: usize) -> f64 {
+    pub(crate) fn nearest(&self, at: &State, branch: usize) -> f64 {
         let (own, order) = (&self.branches[branch], self.order());
         let (Some(sections), mut nearest) = (&own.adhering, f64::INFINITY) else { return f64::INFINITY };
         let ends = own.ends(&at.mesh);

@@ -24,7 +24,7 @@ impl Topology {
     ///
     /// # Errors
     /// A loop, with two branches of it; a part that does not hang together with the root; numbers of joints that no tree has.
-    pub fn new(branches: &[Branch], root: usize) -> Result<Self, TreeError> {
+    pub(crate) fn new(branches: &[Branch], root: usize) -> Result<Self, TreeError> {
         // a tree has one joint more than branches
         let joints = branches.len() + 1;
         for (branch, own) in branches.iter().enumerate() {

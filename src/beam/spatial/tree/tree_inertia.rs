@@ -104,7 +104,7 @@ impl BeamTree {
     }
 
     /// By how much the unknowns of a joint are accelerated by a force along x, y and z and a moment about its directors.
-    pub fn accelerated(&self, at: &State, joint: usize, force: &[f64; F]) -> [f64; F] {
+    pub(crate) fn accelerated(&self, at: &State, joint: usize, force: &[f64; F]) -> [f64; F] {
         let NodeInertia { mass, moments } = self.inertia[joint];
         let map = self.map_of(&at.values, joint).map(|(map, _)| map);
         let force = map.as_ref().map_or(*force, |map| map.back(force));

@@ -75,7 +75,7 @@ struct Expansion {
 
 impl Switch<'_> {
     /// The first point of the branch.
-    pub fn first_point(&self, ws: &mut Workspace) -> Result<FirstPoint, OutOfPlaneBranchError> {
+    pub(crate) fn first_point(&self, ws: &mut Workspace) -> Result<FirstPoint, OutOfPlaneBranchError> {
         let strip = RolledStrip { problem: self.problem, weights: self.beside.weights };
         let expansion = self.expansion(&strip, ws).map_err(OutOfPlaneBranchError::NotSwitched)?;
         let size = |direction: &[f64]| self.spatial.size(direction, &expansion.planar.solution.at);
@@ -281,7 +281,7 @@ pub(super) struct Rolled {
 
 impl RolledStrip<'_> {
     /// With the grip held at `roll` (rad), at `target` along the path.
-    pub fn held(&self, start: State, roll: f64, target: f64, ws: &mut Workspace) -> Result<Rolled, SolveError> {
+    pub(crate) fn held(&self, start: State, roll: f64, target: f64, ws: &mut Workspace) -> Result<Rolled, SolveError> {
         let problem = self.problem.with_roll(Some(roll));
         let options = NewtonOptions { tolerance: FINE, largest_update: 0.5, most_iterations: 14, exact_slope: true };
         let solution = solve(&problem, start, &PathConstraint { weights: self.weights, target }, &options, ws)?;
@@ -290,7 +290,7 @@ impl RolledStrip<'_> {
     }
 
     /// The one next to `start` that takes no torque, by the secant rule; `slope`: dm/dσ.
-    pub fn without_torque(
+    pub(crate) fn without_torque(
         &self,
         start: State,
         roll: f64,

@@ -24,7 +24,7 @@ pub(super) struct Coordinate {
 
 impl Coordinate {
     /// Of a parameter; `span` is the scale of one that may be zero and has no bounds.
-    pub fn new(parameter: &FitParameter, span: f64) -> Result<Self, NoFit> {
+    pub(crate) fn new(parameter: &FitParameter, span: f64) -> Result<Self, NoFit> {
         let FitParameter { key, initial, range, from, to, .. } = parameter;
         let initial = *initial;
         let (low, high, scale) = match *range {
@@ -46,12 +46,12 @@ impl Coordinate {
         Ok(coordinate)
     }
 
-    pub fn is_logarithmic(&self) -> bool {
+    pub(crate) fn is_logarithmic(&self) -> bool {
         self.scale.is_none()
     }
 
     /// x of a value.
-    pub fn of(&self, value: f64) -> f64 {
+    pub(crate) fn of(&self, value: f64) -> f64 {
         match self.scale {
             None => (value / self.initial).ln(),
             Some(scale) => (value - self.initial) / scale,
@@ -59,7 +59,7 @@ impl Coordinate {
     }
 
     /// The value at x.
-    pub fn value(&self, x: f64) -> f64 {
+    pub(crate) fn value(&self, x: f64) -> f64 {
         match self.scale {
             None => self.initial * x.exp(),
             Some(scale) => self.initial + scale * x,
@@ -67,34 +67,34 @@ impl Coordinate {
     }
 
     /// dp/dx
-    pub fn rate(&self, x: f64) -> f64 {
+    pub(crate) fn rate(&self, x: f64) -> f64 {
         self.scale.unwrap_or_else(|| self.value(x))
     }
 
     /// Both bounds of x.
-    pub fn bounds(&self) -> (f64, f64) {
+    pub(crate) fn bounds(&self) -> (f64, f64) {
         (self.low, self.high)
     }
 
     /// z of x.
-    pub fn inner(&self, x: f64) -> f64 {
+    pub(crate) fn inner(&self, x: f64) -> f64 {
         let sine = (x - 0.5 * (self.low + self.high)) / self.half();
         let most = 1.0 - 2.0 * INSIDE;
         sine.clamp(-most, most).asin()
     }
 
     /// x at z.
-    pub fn outer(&self, z: f64) -> f64 {
+    pub(crate) fn outer(&self, z: f64) -> f64 {
         0.5 * (self.low + self.high) + self.half() * z.sin()
     }
 
     /// dx/dz
-    pub fn inner_rate(&self, z: f64) -> f64 {
+    pub(crate) fn inner_rate(&self, z: f64) -> f64 {
         self.half() * z.cos()
     }
 
     /// Which bound x has come to, if one: -1 or 1.
-    pub fn at_bound(&self, x: f64) -> Option<i8> {
+    pub(crate) fn at_bound(&self, x: f64) -> Option<i8> {
         let near = INSIDE * (self.high - self.low);
         if x < self.low + near {
             Some(-1)

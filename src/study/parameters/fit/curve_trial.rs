@@ -61,7 +61,7 @@ pub(super) struct CurveTrial {
 
 impl CurveTrial {
     /// (U + d, P + f) up to the jump, to be drawn.
-    pub fn recorded(&self) -> Vec<(f64, f64)> {
+    pub(crate) fn recorded(&self) -> Vec<(f64, f64)> {
         let shifted = |(u, force)| (u + self.displacement_zero, force + self.force_zero);
         self.found.points().into_iter().map(shifted).collect()
     }
@@ -81,7 +81,7 @@ const PER_STEP: usize = 8;
 
 impl Found {
     /// (U, P) up to the jump, to be drawn.
-    pub fn points(&self) -> Vec<(f64, f64)> {
+    pub(crate) fn points(&self) -> Vec<(f64, f64)> {
         match self {
             Self::Peel(_, curve) => curve.points(PER_STEP),
             Self::Pull(curve) => curve.points(),
@@ -89,7 +89,7 @@ impl Found {
     }
 
     /// Where the machine is at the jump; none where there is none, as far as the curve was computed.
-    pub fn jump(&self) -> Option<f64> {
+    pub(crate) fn jump(&self) -> Option<f64> {
         match self {
             Self::Peel(_, curve) => curve.end.jumps.then_some(curve.end.machine),
             Self::Pull(curve) => curve.detached,
@@ -97,7 +97,7 @@ impl Found {
     }
 
     /// Where the machine is at the end of the curve.
-    pub fn end(&self) -> f64 {
+    pub(crate) fn end(&self) -> f64 {
         match self {
             Self::Peel(_, curve) => curve.end.machine,
             Self::Pull(curve) => curve.range().map_or(0.0, |(_, end)| end),
@@ -152,19 +152,19 @@ impl CurveModel<'_> {
     }
 
     /// The mean force behind the detachment, which is a datum where f is free, nN.
-    pub fn rest(&self) -> Option<f64> {
+    pub(crate) fn rest(&self) -> Option<f64> {
         let is_free = self.place_of(ParameterOf::ForceZero { curve: self.index }).is_some();
         self.curve.measured.rest.filter(|_| is_free)
     }
 
     /// Measured displacement of the jump and its standard error, where it is a datum.
-    pub fn jump(&self) -> Option<(f64, f64)> {
+    pub(crate) fn jump(&self) -> Option<(f64, f64)> {
         let jump = self.curve.measured.jump.filter(|_| self.options.use_jump)?;
         Some((jump.displacement, jump.error))
     }
 
     /// The curve of the model at coordinates, and what it says of the measured points; else why not.
-    pub fn trial(&self, x: &DVector<f64>) -> Result<CurveTrial, NoFit> {
+    pub(crate) fn trial(&self, x: &DVector<f64>) -> Result<CurveTrial, NoFit> {
         match &self.curve.by {
             CurveBy::Peel => self.trial_of_peel(x),
             CurveBy::Values(curve) => self.trial_of_pull(x, curve),
@@ -238,7 +238,7 @@ impl CurveModel<'_> {
     }
 
     /// Derivatives of a trial at these coordinates.
-    pub fn derivatives(&self, x: &DVector<f64>, trial: &CurveTrial) -> Result<CurveDerivatives, NoFit> {
+    pub(crate) fn derivatives(&self, x: &DVector<f64>, trial: &CurveTrial) -> Result<CurveDerivatives, NoFit> {
         let mut found = match &trial.found {
             Found::Peel(peel, curve) => self.of_adjoint(x, trial, peel, curve)?,
             Found::Pull(_) => self.of_differences(x, trial)?,

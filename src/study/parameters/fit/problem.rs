@@ -44,7 +44,7 @@ pub struct FitParameter {
 pub type ModelOf<'m> = Box<dyn Fn(&[f64]) -> PeelModel + Send + Sync + 'm>;
 
 /// The curve of something else than a peel with these values of the parameters, computed as long as the criteria let it; or why there is none.
-pub type CurveOf<'m> = Box<dyn Fn(&[f64], &StopCriteria) -> Result<PulledCurve, String> + Send + Sync + 'm>;
+pub(crate) type CurveOf<'m> = Box<dyn Fn(&[f64], &StopCriteria) -> Result<PulledCurve, String> + Send + Sync + 'm>;
 
 /// How the curve is computed.
 pub enum CurveBy<'m> {
@@ -153,7 +153,7 @@ const HUBER: f64 = 1.345;
 
 impl Loss {
     /// Weight w = ρ'(t)/(2t) with which t² stands in the squares of an iteration.
-    pub fn weight(self, t: f64) -> f64 {
+    pub(crate) fn weight(self, t: f64) -> f64 {
         match self {
             Self::Squares => 1.0,
             Self::Huber => (HUBER / t.abs()).min(1.0),

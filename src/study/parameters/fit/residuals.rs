@@ -34,7 +34,7 @@ pub(super) struct Trial {
 
 impl Trial {
     /// What it says of the measured points of all curves.
-    pub fn modelled(&self) -> impl Iterator<Item = &Modelled> {
+    pub(crate) fn modelled(&self) -> impl Iterator<Item = &Modelled> {
         self.curves.iter().flat_map(|curve| &curve.modelled)
     }
 }
@@ -63,7 +63,7 @@ pub(super) struct Errors {
 
 impl Errors {
     /// Half of the way, of the variances, to others.
-    pub fn between(self, other: Self) -> Self {
+    pub(crate) fn between(self, other: Self) -> Self {
         let half = |a: f64, b: f64| (0.5 * (a * a + b * b)).sqrt();
         Self { force: half(self.force, other.force), displacement: half(self.displacement, other.displacement) }
     }
@@ -71,12 +71,12 @@ impl Errors {
 
 impl Evaluator<'_> {
     /// Values of the parameters at coordinates.
-    pub fn values(&self, x: &DVector<f64>) -> Vec<f64> {
+    pub(crate) fn values(&self, x: &DVector<f64>) -> Vec<f64> {
         self.coordinates.iter().zip(x.iter()).map(|(coordinate, &x)| coordinate.value(x)).collect()
     }
 
     /// Its curves.
-    pub fn curves(&self) -> impl Iterator<Item = CurveModel<'_>> {
+    pub(crate) fn curves(&self) -> impl Iterator<Item = CurveModel<'_>> {
         (0..self.problem.curves.len()).map(|index| self.curve(index))
     }
 
@@ -94,39 +94,39 @@ impl Evaluator<'_> {
     }
 
     /// What was measured.
-    pub fn measured(&self) -> impl Iterator<Item = &MeasuredCurve> {
+    pub(crate) fn measured(&self) -> impl Iterator<Item = &MeasuredCurve> {
         self.problem.curves.iter().map(|curve| &curve.measured)
     }
 
     /// The measured points of all curves.
-    pub fn points(&self) -> impl Iterator<Item = &MeasuredPoint> {
+    pub(crate) fn points(&self) -> impl Iterator<Item = &MeasuredPoint> {
         self.measured().flat_map(|measured| &measured.points)
     }
 
     /// Largest measured force by its amount, nN.
-    pub fn largest_force(&self) -> f64 {
+    pub(crate) fn largest_force(&self) -> f64 {
         self.measured().map(MeasuredCurve::largest_force).fold(0.0, f64::max)
     }
 
     /// Measured displacements of the jumps and their standard errors, where they are data.
-    pub fn jumps(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub(crate) fn jumps(&self) -> impl Iterator<Item = (f64, f64)> {
         self.curves().filter_map(|curve| curve.jump())
     }
 
     /// How many data there are.
-    pub fn data(&self) -> usize {
+    pub(crate) fn data(&self) -> usize {
         self.points().count() + self.jumps().count() + self.curves().filter_map(|curve| curve.rest()).count()
     }
 
     /// The model at coordinates; else why one of its curves is not known there.
-    pub fn trial(&self, x: &DVector<f64>) -> Result<Trial, NoFit> {
+    pub(crate) fn trial(&self, x: &DVector<f64>) -> Result<Trial, NoFit> {
         let curves: Vec<_> =
             (0..self.problem.curves.len()).into_par_iter().map(|index| self.curve(index).trial(x)).collect();
         Ok(Trial { x: x.clone(), curves: curves.into_iter().collect::<Result<_, _>>()? })
     }
 
     /// Derivatives of the data of a trial by the coordinates, a row a datum.
-    pub fn derivatives(&self, trial: &Trial) -> Result<DMatrix<f64>, NoFit> {
+    pub(crate) fn derivatives(&self, trial: &Trial) -> Result<DMatrix<f64>, NoFit> {
         let of = |(index, curve): (usize, &CurveTrial)| self.curve(index).derivatives(&trial.x, curve);
         let all: Vec<Result<CurveDerivatives, NoFit>> = trial.curves.par_iter().enumerate().map(of).collect();
         let all = all.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -139,13 +139,13 @@ impl Evaluator<'_> {
     }
 
     /// Residuals of the points over their standard errors, without the weights of the loss.
-    pub fn standardised(&self, trial: &Trial, weights: &Weights) -> Vec<f64> {
+    pub(crate) fn standardised(&self, trial: &Trial, weights: &Weights) -> Vec<f64> {
         let points = trial.modelled().zip(self.points()).zip(&weights.errors);
         points.map(|((modelled, measured), error)| (modelled.force - measured.force) / error).collect()
     }
 
     /// All residuals whose squares are summed.
-    pub fn residuals(&self, trial: &Trial, weights: &Weights) -> DVector<f64> {
+    pub(crate) fn residuals(&self, trial: &Trial, weights: &Weights) -> DVector<f64> {
         let points = self.standardised(trial, weights);
         let weighted = points.iter().zip(&weights.robust).map(|(residual, weight)| weight.sqrt() * residual);
         let curves = || self.curves().zip(&trial.curves);
@@ -157,7 +157,7 @@ impl Evaluator<'_> {
     }
 
     /// Their derivatives by the coordinates.
-    pub fn jacobian(&self, found: &DMatrix<f64>, weights: &Weights) -> DMatrix<f64> {
+    pub(crate) fn jacobian(&self, found: &DMatrix<f64>, weights: &Weights) -> DMatrix<f64> {
         let points = weights.robust.iter().zip(&weights.errors).map(|(weight, error)| (weight.sqrt(), *error));
         let others = weights.jump_errors.iter().chain(&weights.rest_errors).map(|&error| (1.0, error));
         let mut scaled = found.clone();
@@ -168,7 +168,7 @@ impl Evaluator<'_> {
     }
 
     /// The weights with standard errors of the forces that are known, or these, and without a loss.
-    pub fn weights(&self, errors: Errors) -> Weights {
+    pub(crate) fn weights(&self, errors: Errors) -> Weights {
         let error = |own: Option<f64>| own.or(self.options.force_error).unwrap_or(errors.force);
         let forces = self.points().map(|point| error(point.force_error)).collect::<Vec<_>>();
         let rest = |curve: CurveModel| {
@@ -184,7 +184,7 @@ impl Evaluator<'_> {
     }
 
     /// Standard error of a displacement as it is given, nm: 0 where it is none or not known yet.
-    pub fn displacement_error(&self) -> f64 {
+    pub(crate) fn displacement_error(&self) -> f64 {
         match self.options.displacement_error {
             DisplacementError::Known(error) => error,
             DisplacementError::Estimated | DisplacementError::None => 0.0,
@@ -193,7 +193,7 @@ impl Evaluator<'_> {
 
     /// The weights for the next iteration: displacements off by their standard error change the force by its slope, and points count as the
     /// loss says.
-    pub fn reweighted(&self, trial: &Trial, errors: Errors) -> Weights {
+    pub(crate) fn reweighted(&self, trial: &Trial, errors: Errors) -> Weights {
         let mut weights = self.weights(errors);
         for (error, point) in weights.errors.iter_mut().zip(trial.modelled()) {
             *error = error.hypot(point.slope * errors.displacement);

@@ -270,7 +270,7 @@ pub struct Scale {
 
 impl Scale {
     /// By how many powers of 1000 the measured one is larger, to the nearest.
-    pub fn thousands(&self) -> i32 {
+    pub(crate) fn thousands(&self) -> i32 {
         let powers = (self.measured / self.modelled).log10() / 3.0;
         if powers.is_finite() { powers.round() as i32 } else { 0 }
     }

@@ -218,7 +218,7 @@ pub(super) struct Least<'a> {
 
 impl Least<'_> {
     /// Of the coordinate `index` with a standard error, of which half an interval has so many.
-    pub fn profile(&self, index: usize, error: f64, half: f64) -> Profile {
+    pub(crate) fn profile(&self, index: usize, error: f64, half: f64) -> Profile {
         // the excess of the sum that ends the interval
         let level = self.factor * half * half;
         let side = |half: f64| self.side(index, half, level);

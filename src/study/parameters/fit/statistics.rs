@@ -25,7 +25,7 @@ pub(super) struct Covariance {
 
 impl Covariance {
     /// From the derivatives of the residuals, over their standard errors, by the coordinates `of`: (JᵀJ)⁻¹ times what the loss adds.
-    pub fn new(jacobian: &DMatrix<f64>, of: Vec<usize>, factor: f64) -> Self {
+    pub(crate) fn new(jacobian: &DMatrix<f64>, of: Vec<usize>, factor: f64) -> Self {
         if of.is_empty() {
             return Self { of, matrix: DMatrix::zeros(0, 0), condition: f64::INFINITY };
         }
@@ -45,28 +45,28 @@ impl Covariance {
     }
 
     /// Standard error of a coordinate; none at a bound.
-    pub fn standard_error(&self, index: usize) -> Option<f64> {
+    pub(crate) fn standard_error(&self, index: usize) -> Option<f64> {
         let place = self.of.iter().position(|&own| own == index)?;
         Some(self.matrix[(place, place)].max(0.0).sqrt())
     }
 
     /// How far one coordinate goes with another that is moved by 1, where the sum of squares is least: their covariance over the variance of the
     /// other; 0 at a bound.
-    pub fn follows(&self, one: usize, other: usize) -> f64 {
+    pub(crate) fn follows(&self, one: usize, other: usize) -> f64 {
         let place = |index: usize| self.of.iter().position(|&own| own == index);
         let (Some(a), Some(b)) = (place(one), place(other)) else { return 0.0 };
         self.matrix[(a, b)] / self.matrix[(b, b)]
     }
 
     /// Correlation of two coordinates; none at a bound.
-    pub fn correlation(&self, one: usize, other: usize) -> Option<f64> {
+    pub(crate) fn correlation(&self, one: usize, other: usize) -> Option<f64> {
         let place = |index: usize| self.of.iter().position(|&own| own == index);
         let (a, b) = (place(one)?, place(other)?);
         Some((self.matrix[(a, b)] / (self.matrix[(a, a)] * self.matrix[(b, b)]).sqrt()).clamp(-1.0, 1.0))
     }
 
     /// Directions in some of its coordinates along which errors are independent, with their standard errors: the largest first.
-    pub fn principal(&self, among: &[usize]) -> Vec<(f64, DVector<f64>)> {
+    pub(crate) fn principal(&self, among: &[usize]) -> Vec<(f64, DVector<f64>)> {
         let place = |index: &usize| self.of.iter().position(|own| own == index);
         let places: Vec<usize> = among.iter().filter_map(place).collect();
         if places.len() != among.len() || places.is_empty() {
@@ -145,7 +145,7 @@ pub(super) struct Variances {
 
 impl Variances {
     /// Of a trial, whose derivatives `jacobian` are over the standard errors of `weights`.
-    pub fn of_trial(
+    pub(crate) fn of_trial(
         evaluator: &Evaluator,
         trial: &Trial,
         jacobian: &DMatrix<f64>,
@@ -270,7 +270,7 @@ impl Variances {
     }
 
     /// Standard errors of a force and of a displacement that these residuals show, or that were known before.
-    pub fn errors(&self, before: Errors) -> Errors {
+    pub(crate) fn errors(&self, before: Errors) -> Errors {
         let found = self.found();
         let error = |k: usize, before: f64| if self.is_unknown(k) { found[k].sqrt() } else { before };
         Errors { force: error(0, before.force), displacement: error(1, before.displacement) }
@@ -279,7 +279,7 @@ impl Variances {
     /// With how many degrees of freedom the errors give the variance Cₖₖ of each coordinate of a covariance: νₖ = 2 Cₖₖ²/(gᵀ W g), with
     /// gₘ = ∂Cₖₖ/∂θₘ and the covariance W = 2 [tr(P Aₘ P Aₙ)]⁻¹ of s² and sᵤ² (Satterthwaite 1946; Giesbrecht and Burns 1985). Infinite where no error
     /// is estimated; n - p where that of all forces is, and nothing else.
-    pub fn freedoms(&self, errors: Errors, covariance: &Covariance) -> Vec<f64> {
+    pub(crate) fn freedoms(&self, errors: Errors, covariance: &Covariance) -> Vec<f64> {
         let variances = self.at([errors.force.powi(2), errors.displacement.powi(2)]);
         let weighted = self.weighted(&variances).select_columns(covariance.of.iter());
         let matrix = &covariance.matrix;

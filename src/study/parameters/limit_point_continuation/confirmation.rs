@@ -14,7 +14,7 @@ const SAME: f64 = 1e-6;
 
 impl Sweep<'_> {
     /// Whether the newest value is to be solved for on more elements.
-    pub fn is_check_due(&self, strand: &Strand) -> bool {
+    pub(crate) fn is_check_due(&self, strand: &Strand) -> bool {
         let (newest, checked) = (strand.last(), strand.last_check());
         let (now, then) = (&strand.newest.observables, &strand.good.observables);
         let change = |now: f64, then: f64| (now / then - 1.0).abs() > CHANGE;
@@ -25,7 +25,7 @@ impl Sweep<'_> {
     }
 
     /// Solves for the newest value on more elements; the error expected, over the accuracy asked for.
-    pub fn check_last(&self, strand: &mut Strand) -> f64 {
+    pub(crate) fn check_last(&self, strand: &mut Strand) -> f64 {
         let infinite = Difference { displacement: f64::INFINITY, force: f64::INFINITY };
         let difference = self.difference(strand.last(), &strand.newest, strand.elements()).unwrap_or(infinite);
         strand.checks.push((strand.last(), difference));
@@ -37,7 +37,7 @@ impl Sweep<'_> {
     }
 
     /// Drops what came after the last check but one, and solves for the point there on more elements.
-    pub fn refine(&self, strand: &mut Strand, worst: f64) -> Result<(), Remark> {
+    pub(crate) fn refine(&self, strand: &mut Strand, worst: f64) -> Result<(), Remark> {
         strand.checks.pop();
         let (good, more) = (strand.last_check(), finer(strand.elements(), worst));
         strand.found.truncate(good - strand.first + 1);
@@ -55,7 +55,7 @@ impl Sweep<'_> {
 
     /// Whether the path from rest has another point than the one followed to `index`; then the strand is cut where that
     /// begins, found by bisection.
-    pub fn is_replaced(&self, strand: &mut Strand, index: usize) -> bool {
+    pub(crate) fn is_replaced(&self, strand: &mut Strand, index: usize) -> bool {
         match self.is_same(strand, index) {
             Ok(true) => return false,
             Ok(false) => {}

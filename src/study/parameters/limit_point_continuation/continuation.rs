@@ -101,7 +101,7 @@ pub(super) fn search(problem: &Problem, kind: PointKind, target: f64) -> LimitPo
 impl Known {
     /// A located limit point, on a mesh whose focus is exactly at the front of the solution next to it: on the mesh of
     /// the search it is where the front was predicted, and that prediction's error would be noise to the next one.
-    pub fn new(problem: &BeamProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
+    pub(crate) fn new(problem: &BeamProblem, kind: PointKind, at: f64, fold: &FoundLimitPoint) -> Self {
         let FoundLimitPoint { solution, ahead, .. } = fold;
         let own = solution.aligned(problem);
         let mut equilibrium = State {
@@ -126,7 +126,7 @@ impl Known {
     }
 
     /// The same limit point on `elements` elements, and how it was found.
-    pub fn on_elements(
+    pub(crate) fn on_elements(
         &self,
         problem: &BeamProblem,
         kind: PointKind,
@@ -161,7 +161,7 @@ pub(super) struct Continuation<'m> {
 
 impl<'m> Continuation<'m> {
     /// Begins at a limit point that is known.
-    pub fn new(kind: PointKind, model: &'m dyn Fn(f64) -> PeelModel, first: Known) -> Self {
+    pub(crate) fn new(kind: PointKind, model: &'m dyn Fn(f64) -> PeelModel, first: Known) -> Self {
         Self {
             kind,
             model,
@@ -174,12 +174,12 @@ impl<'m> Continuation<'m> {
     }
 
     /// Newton iterations so far.
-    pub fn iterations(&self) -> usize {
+    pub(crate) fn iterations(&self) -> usize {
         self.iterations
     }
 
     /// The limit point at the value `to` of the parameter.
-    pub fn advance_to(&mut self, to: f64) -> Result<&Known, Lost> {
+    pub(crate) fn advance_to(&mut self, to: f64) -> Result<&Known, Lost> {
         let (asked, bend) = (to - self.newest().at, self.newest().bend);
         let mut tries = 0;
         while self.newest().at != to {

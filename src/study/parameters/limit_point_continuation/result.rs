@@ -47,7 +47,7 @@ pub enum Spacing {
 
 impl Spacing {
     /// The number in which the values are evenly spaced.
-    pub fn coordinate(self, value: f64) -> f64 {
+    pub(crate) fn coordinate(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
             Self::Logarithmic => value.ln(),

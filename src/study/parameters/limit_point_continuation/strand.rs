@@ -23,7 +23,7 @@ pub(super) struct Difference {
 }
 
 impl Difference {
-    pub fn of(known: &Known, finer: &Observables) -> Self {
+    pub(crate) fn of(known: &Known, finer: &Observables) -> Self {
         let (o, n) = (&known.observables, &known.neglected);
         let relative = |fine: f64, here: f64, neglected: f64| ((fine - here).abs() + neglected) / here.abs();
         Self {
@@ -32,12 +32,12 @@ impl Difference {
         }
     }
 
-    pub fn max(self, other: Self) -> Self {
+    pub(crate) fn max(self, other: Self) -> Self {
         Self { displacement: self.displacement.max(other.displacement), force: self.force.max(other.force) }
     }
 
     /// The difference of what is reported of the point.
-    pub fn reported(self, kind: PointKind) -> f64 {
+    pub(crate) fn reported(self, kind: PointKind) -> f64 {
         match kind {
             PointKind::InitiationPeak => self.force,
             PointKind::SnapOff => self.displacement,
@@ -54,7 +54,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    pub fn new(known: &Known, elements: usize, iterations: usize) -> Self {
+    pub(crate) fn new(known: &Known, elements: usize, iterations: usize) -> Self {
         Self { observables: known.observables, energy: known.energy, elements, iterations }
     }
 }
@@ -76,27 +76,27 @@ pub(super) struct Strand {
 
 impl Strand {
     /// Index of the newest value.
-    pub fn last(&self) -> usize {
+    pub(crate) fn last(&self) -> usize {
         self.first + self.found.len() - 1
     }
 
-    pub fn at(&self, index: usize) -> &Found {
+    pub(crate) fn at(&self, index: usize) -> &Found {
         &self.found[index - self.first]
     }
 
-    pub fn elements(&self) -> usize {
+    pub(crate) fn elements(&self) -> usize {
         self.found[self.found.len() - 1].elements
     }
 
     /// Drops the values behind the last check, where that found no limit point on more elements.
-    pub fn drop_unbounded(&mut self) {
+    pub(crate) fn drop_unbounded(&mut self) {
         while self.checks.len() > 1 && self.checks.last().is_some_and(|(_, difference)| !difference.force.is_finite()) {
             self.checks.pop();
             self.found.truncate(self.last_check() - self.first + 1);
         }
     }
 
-    pub fn last_check(&self) -> usize {
+    pub(crate) fn last_check(&self) -> usize {
         self.checks[self.checks.len() - 1].0
     }
 }
@@ -111,7 +111,7 @@ const MARGIN: f64 = 0.7;
 
 impl Sweep<'_> {
     /// Elements to begin with.
-    pub fn fewest(&self, index: usize) -> usize {
+    pub(crate) fn fewest(&self, index: usize) -> usize {
         match self.kind {
             PointKind::InitiationPeak => FEWEST_ELEMENTS,
             PointKind::SnapOff => Resolution::first(&(self.model)(self.values[index]), self.accuracy).elements,
@@ -119,7 +119,7 @@ impl Sweep<'_> {
     }
 
     /// The located point on a mesh of its own.
-    pub fn taken_up(&self, index: usize, located: &Located, elements: usize) -> Result<Known, SolveError> {
+    pub(crate) fn taken_up(&self, index: usize, located: &Located, elements: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let (beam, known) = (&problem.beam, &located.solution.at);
         let front = located.observables.monitors[FRONT];
@@ -137,25 +137,25 @@ impl Sweep<'_> {
     }
 
     /// A known point on another number of elements.
-    pub fn known_on(&self, index: usize, known: &Known, elements: usize) -> Result<Known, SolveError> {
+    pub(crate) fn known_on(&self, index: usize, known: &Known, elements: usize) -> Result<Known, SolveError> {
         let problem = problem(&(self.model)(self.values[index]), self.kind);
         let fold = known.on_elements(&problem, self.kind, elements, &mut Workspace::default())?;
         Ok(Known::new(&problem, self.kind, known.at, &fold))
     }
 
     /// A known point against half as many elements again.
-    pub fn difference(&self, index: usize, known: &Known, elements: usize) -> Result<Difference, SolveError> {
+    pub(crate) fn difference(&self, index: usize, known: &Known, elements: usize) -> Result<Difference, SolveError> {
         let finer = self.known_on(index, known, elements + elements.div_ceil(2))?;
         Ok(Difference::of(known, &finer.observables))
     }
 
     /// The error expected, over the accuracy asked for.
-    pub fn worst(&self, difference: Difference) -> f64 {
+    pub(crate) fn worst(&self, difference: Difference) -> f64 {
         FOLLOWED_BOUND_FACTOR * difference.reported(self.kind) / self.accuracy.relative
     }
 
     /// The point on the coarsest mesh that is good enough, from `elements` on.
-    pub fn on_fitting_mesh(
+    pub(crate) fn on_fitting_mesh(
         &self,
         index: usize,
         mut elements: usize,

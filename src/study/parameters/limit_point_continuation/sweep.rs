@@ -179,7 +179,7 @@ impl Sweep<'_> {
 
 impl Sweep<'_> {
     /// The rows of a strand, each bounded by the checks around it.
-    pub fn rows(&self, strand: &Strand) -> Vec<FollowedRow> {
+    pub(crate) fn rows(&self, strand: &Strand) -> Vec<FollowedRow> {
         let row = |(i, found): (usize, &Found)| {
             let index = strand.first + i;
             let place = strand.checks.partition_point(|c| c.0 < index);

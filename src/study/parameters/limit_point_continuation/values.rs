@@ -33,22 +33,22 @@ pub(super) struct Sweep<'a> {
 }
 
 impl Sweep<'_> {
-    pub fn coordinate(&self, index: usize) -> f64 {
+    pub(crate) fn coordinate(&self, index: usize) -> f64 {
         self.spacing.coordinate(self.values[index])
     }
 
     /// Whether the model at a value can be computed.
-    pub fn check(&self, index: usize) -> Result<(), ModelError> {
+    pub(crate) fn check(&self, index: usize) -> Result<(), ModelError> {
         checked(&(self.model)(self.values[index]), self.accuracy)
     }
 
     /// The point where the path from rest has it at a value.
-    pub fn initial_limit_point_of(&self, index: usize) -> Result<Option<Located>, PointNotFound> {
+    pub(crate) fn initial_limit_point_of(&self, index: usize) -> Result<Option<Located>, PointNotFound> {
         initial_limit_point(&(self.model)(self.values[index]), self.kind, self.accuracy, &(self.stop)())
     }
 
     /// Whether the point is held against the path from rest at this value.
-    pub fn is_milestone(&self, index: usize) -> bool {
+    pub(crate) fn is_milestone(&self, index: usize) -> bool {
         let last = self.values.len() - 1;
         index == last || index.is_multiple_of(last.div_ceil(PARTS).max(1))
     }

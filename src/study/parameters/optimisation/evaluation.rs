@@ -34,7 +34,11 @@ pub(super) struct Evaluator<'p> {
 
 impl<'p> Evaluator<'p> {
     /// From what was computed of the start.
-    pub fn new(problem: &'p DesignProblem<'p>, options: &'p OptimisationOptions<'p>, start: &DesignFound) -> Self {
+    pub(crate) fn new(
+        problem: &'p DesignProblem<'p>,
+        options: &'p OptimisationOptions<'p>,
+        start: &DesignFound,
+    ) -> Self {
         let path = |(factor, peel): (Factor, &Peel)| (factor, SearchPath::new(factor.of, peel));
         let paths = match start {
             DesignFound::Peels(peels) => problem.objective.factors().into_iter().zip(peels).map(path).collect(),
@@ -44,7 +48,7 @@ impl<'p> Evaluator<'p> {
     }
 
     /// ln Q at coordinates, with its gradient where that is asked for.
-    pub fn evaluate(&self, coordinates: &[f64], with_gradient: bool) -> Evaluation {
+    pub(crate) fn evaluate(&self, coordinates: &[f64], with_gradient: bool) -> Evaluation {
         let found = match &self.problem.number {
             NumberBy::Peel => self.by_peels(coordinates, with_gradient),
             NumberBy::Values(number) => {
@@ -80,7 +84,7 @@ impl<'p> Evaluator<'p> {
     }
 
     /// The gradient of ln Q from peels to the accuracy asked for; none where the number is not that of a peel.
-    pub fn precise(&self, coordinates: &[f64]) -> Option<Precise> {
+    pub(crate) fn precise(&self, coordinates: &[f64]) -> Option<Precise> {
         if self.paths.is_empty() {
             return None;
         }
@@ -252,7 +256,7 @@ const WORSE_MESH: f64 = 10.0;
 
 impl SearchPath {
     /// From the peel of the design at the start.
-    pub fn new(of: PeelQuantity, start: &Peel) -> Self {
+    pub(crate) fn new(of: PeelQuantity, start: &Peel) -> Self {
         use PeelQuantity::*;
         let reach = match of {
             InitiationPeakForce | InitiationPeakDisplacement => {
@@ -269,7 +273,7 @@ impl SearchPath {
     }
 
     /// The peel of a design: on another mesh or to its end only where the number is not found otherwise.
-    pub fn peel(&self, model: &PeelModel, options: &OptimisationOptions) -> Peel {
+    pub(crate) fn peel(&self, model: &PeelModel, options: &OptimisationOptions) -> Peel {
         let Accuracy { relative, choice, .. } = options.search;
         let accuracy = Accuracy { relative, choice, terms: Terms::All };
         let fixed = accuracy.with(Choice { elements: Some(self.elements), ..choice });

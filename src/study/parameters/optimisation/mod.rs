@@ -10,8 +10,8 @@ mod search;
 pub use evaluation::{Evaluation, OptimisationOptions, SearchMethod};
 pub use optimum::{Certificate, DerivativeFreeCheck, Design, Neighbours, NoOptimum, Optimum};
 pub use problem::{
-    ConstraintKind, DesignConstraint, DesignFound, DesignFunction, DesignModel, DesignNumber, DesignProblem,
-    DesignVariable, Goal, NumberBy, NumberOf, Objective, ProfileColumn,
+    ConstraintKind, DesignConstraint, DesignFound, DesignNumber, DesignProblem, DesignVariable, Goal, NumberBy,
+    NumberOf, Objective, ProfileColumn,
 };
 pub use profile::{ProfileDesign, volume};
 pub use refine::ActiveConstraint;

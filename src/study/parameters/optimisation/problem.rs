@@ -59,7 +59,7 @@ pub(super) struct Factor {
 
 impl Factor {
     /// The model whose peel has the number.
-    pub fn model(&self, mut model: PeelModel) -> PeelModel {
+    pub(crate) fn model(&self, mut model: PeelModel) -> PeelModel {
         if let Some(angle) = self.angle {
             model.pull.angle = angle;
         }
@@ -131,7 +131,7 @@ impl DesignVariable {
     }
 
     /// The coordinate of a value.
-    pub fn coordinate(&self, value: f64) -> f64 {
+    pub(crate) fn coordinate(&self, value: f64) -> f64 {
         let (from, to) = self.ends();
         (self.spacing.coordinate(value) - from) / (to - from)
     }
@@ -147,7 +147,7 @@ pub enum ConstraintKind {
 }
 
 /// A function of the values of all variables.
-pub type DesignFunction<'m> = Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'm>;
+pub(crate) type DesignFunction<'m> = Box<dyn Fn(&[f64]) -> f64 + Send + Sync + 'm>;
 
 /// A constraint that costs nothing to evaluate beside a peel: a function of the values, without a unit, that changes by about as much
 /// as ln of the values does.
@@ -161,7 +161,7 @@ pub struct DesignConstraint<'m> {
 }
 
 /// The model of the values of all variables; none where there is no such model.
-pub type DesignModel<'m> = Box<dyn Fn(&[f64]) -> Option<PeelModel> + Send + Sync + 'm>;
+pub(crate) type DesignModel<'m> = Box<dyn Fn(&[f64]) -> Option<PeelModel> + Send + Sync + 'm>;
 
 /// A number of a design that was computed by something else than a peel.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -224,7 +224,7 @@ impl DesignProblem<'_> {
     }
 
     /// The coordinates of values.
-    pub fn coordinates(&self, values: &[f64]) -> Vec<f64> {
+    pub(crate) fn coordinates(&self, values: &[f64]) -> Vec<f64> {
         self.variables.iter().zip(values).map(|(variable, &value)| variable.coordinate(value)).collect()
     }
 

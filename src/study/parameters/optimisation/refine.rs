@@ -147,7 +147,7 @@ pub(super) struct Projected {
 }
 
 impl Projected {
-    pub fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self.left.iter().map(|slope| slope.abs()).fold(0.0, f64::max)
     }
 }

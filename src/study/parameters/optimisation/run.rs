@@ -191,7 +191,7 @@ fn assembled(
 /// How a search chooses its designs.
 impl Search<'_> {
     /// Searches from these coordinates.
-    pub fn run(self, method: SearchMethod, from: &[f64]) -> SearchResult {
+    pub(crate) fn run(self, method: SearchMethod, from: &[f64]) -> SearchResult {
         self.gives_up.set(method != SearchMethod::DerivativeFree);
         let end = match method {
             SearchMethod::QuasiNewton => methods::quasi_newton(&self, from),
@@ -202,7 +202,7 @@ impl Search<'_> {
     }
 
     /// Searches without gradients in the neighbourhood of these coordinates.
-    pub fn run_check(self, from: &[f64]) -> SearchResult {
+    pub(crate) fn run_check(self, from: &[f64]) -> SearchResult {
         let end = methods::derivative_free(&self, from, methods::SMALL_STEP);
         self.into_result(end)
     }

@@ -66,7 +66,7 @@ impl SearchEnd {
 }
 
 impl<'p> Search<'p> {
-    pub fn new(
+    pub(crate) fn new(
         problem: &'p DesignProblem<'p>,
         options: &'p OptimisationOptions<'p>,
         evaluator: &'p Evaluator<'p>,
@@ -84,7 +84,7 @@ impl<'p> Search<'p> {
         }
     }
 
-    pub fn into_result(self, end: SearchEnd) -> SearchResult {
+    pub(crate) fn into_result(self, end: SearchEnd) -> SearchResult {
         let end = match end {
             _ if self.stopped.get() => SearchEnd::Interrupted,
             _ if self.has_converged() => SearchEnd::Converged,
@@ -95,7 +95,7 @@ impl<'p> Search<'p> {
     }
 
     /// Whether no further design is evaluated.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         if !(self.options.go_on)() {
             self.stopped.set(true);
         }
@@ -132,7 +132,7 @@ impl<'p> Search<'p> {
 
     /// What is minimised, with its gradient where that is asked for. A bad point is worse than all good ones, in a bowl around the best of them:
     /// value and gradient fit each other, so that a search along a line turns back.
-    pub fn minimised(&self, coordinates: &[f64], with_gradient: bool) -> (f64, Vec<f64>) {
+    pub(crate) fn minimised(&self, coordinates: &[f64], with_gradient: bool) -> (f64, Vec<f64>) {
         let sign = self.problem.goal.sign();
         match self.evaluated(coordinates, with_gradient) {
             Some(Evaluation { log_value: Some(value), gradient, .. }) => {
@@ -172,7 +172,7 @@ impl<'p> Search<'p> {
     }
 
     /// The least of what is minimised over the feasible designs, and where it is.
-    pub fn least(&self) -> Option<(f64, Vec<f64>)> {
+    pub(crate) fn least(&self) -> Option<(f64, Vec<f64>)> {
         let seen = self.seen.borrow();
         let best = &seen[self.best()?];
         Some((self.problem.goal.sign() * best.log_value?, best.coordinates.clone()))

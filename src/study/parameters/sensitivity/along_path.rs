@@ -47,7 +47,7 @@ pub(super) enum Turn {
 impl AtPoint {
     /// Next to an equilibrium `start`, where what is held takes the value `target`, or near there where the path turns. `smooth` is how far away the next
     /// limit point or zero is, of what is held, where the path is to be looked at beside it.
-    pub fn new(
+    pub(crate) fn new(
         problem: &BeamProblem,
         start: State,
         (held, target, turn): (Held, f64, Turn),
@@ -64,7 +64,7 @@ impl AtPoint {
     }
 
     /// How a limit point moves along the path: the change of what is held there, -f_xs/f_ss. NaN where that was not asked for.
-    pub fn moved(&self, stencil: &Stencil) -> Estimate {
+    pub(crate) fn moved(&self, stencil: &Stencil) -> Estimate {
         let Some(sides) = &self.sides else { return Estimate::NAN };
         let bend = along_path(sides.slopes, sides.step);
         change_along_path(sides.changes(stencil), sides.step).over(bend).times(-1.0)
@@ -72,7 +72,7 @@ impl AtPoint {
 
     /// The change of the force of a plateau: with the displacement held. The plateau moves besides, and with it the force along its slope; as where it
     /// lies is known little, that counts as an error.
-    pub fn at_plateau(&self, stencil: &Stencil) -> Estimate {
+    pub(crate) fn at_plateau(&self, stencil: &Stencil) -> Estimate {
         let [displacement, slope] = self.at;
         let moves = PLATEAU_MOVES * slope * displacement;
         stencil.force(&self.adjoint).estimate().plus(Estimate { value: 0.0, error: moves.abs() })

@@ -39,13 +39,13 @@ pub(super) struct Change {
 
 impl Change {
     /// Of a number whose values at [`STEPS`] times [`STEP`] are given, with the size of the sums that cancel in them.
-    pub fn between(values: [f64; 4], scale: f64) -> Self {
+    pub(crate) fn between(values: [f64; 4], scale: f64) -> Self {
         let [second, far] = [0, 2].map(|k| (values[k] - values[k + 1]) / (2.0 * STEPS[k] * STEP));
         Self { second, fourth: (4.0 * second - far) / 3.0, rounded: ROUNDED * scale / STEP }
     }
 
     /// With what it may be wrong by.
-    pub fn estimate(&self) -> Estimate {
+    pub(crate) fn estimate(&self) -> Estimate {
         let missed = (self.second - self.fourth).abs();
         let size = self.fourth.abs().max(missed);
         let truncated = if size > 0.0 { NEXT_ORDER * missed * missed / size } else { 0.0 };
@@ -75,21 +75,21 @@ pub(super) fn change_along_path(changes: [Change; 6], step: f64) -> Estimate {
 
 impl Estimate {
     /// Of what is not known.
-    pub const NAN: Self = Self { value: f64::NAN, error: f64::NAN };
+    pub(crate) const NAN: Self = Self { value: f64::NAN, error: f64::NAN };
 
     /// The quotient.
-    pub fn over(self, other: Self) -> Self {
+    pub(crate) fn over(self, other: Self) -> Self {
         let value = self.value / other.value;
         Self { value, error: (self.error + value.abs() * other.error) / other.value.abs() }
     }
 
     /// Times a number that is known.
-    pub fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: f64) -> Self {
         Self { value: factor * self.value, error: factor.abs() * self.error }
     }
 
     /// The sum.
-    pub fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         Self { value: self.value + other.value, error: self.error + other.error }
     }
 }
@@ -105,13 +105,13 @@ pub(super) struct Beside {
 
 impl Beside {
     /// Of the model that was peeled.
-    pub fn base(problem: &BeamProblem, model: &PeelModel) -> Self {
+    pub(crate) fn base(problem: &BeamProblem, model: &PeelModel) -> Self {
         Self { problem: problem.clone(), breaks: with_ends(model) }
     }
 
     /// Of a model that differs from that by `change` in the parameter `key`. A start that had to be found is found again: displacements count
     /// from there.
-    pub fn varied(
+    pub(crate) fn varied(
         key: &str,
         change: f64,
         model: &PeelModel,
@@ -128,13 +128,13 @@ impl Beside {
         Ok(Self { problem, breaks: with_ends(model) })
     }
 
-    pub fn problem(&self) -> &BeamProblem {
+    pub(crate) fn problem(&self) -> &BeamProblem {
         &self.problem
     }
 
     /// A state of `base` as one of this: with every number but those of the grip, which stays where it was along the drive. Elements end at the same
     /// shares of what lies between breaks.
-    pub fn carried(&self, base: &Self, at: &State) -> Option<State> {
+    pub(crate) fn carried(&self, base: &Self, at: &State) -> Option<State> {
         let (own, other) = (&self.problem, &base.problem);
         let place = |s: f64| {
             let k = base.breaks.partition_point(|&end| end < s).clamp(1, base.breaks.len() - 1);
@@ -177,7 +177,11 @@ pub(super) struct Stencil<'b> {
 
 impl<'b> Stencil<'b> {
     /// The models beside one in a parameter.
-    pub fn beside(variation: &Variation, base: &Beside, how: Discretisation) -> Result<[Beside; 4], NoSensitivities> {
+    pub(crate) fn beside(
+        variation: &Variation,
+        base: &Beside,
+        how: Discretisation,
+    ) -> Result<[Beside; 4], NoSensitivities> {
         let one = |k: usize| {
             let change = STEPS[k] * STEP;
             Beside::varied(&variation.key, change, &(variation.model)(change), base.problem(), how)
@@ -185,17 +189,17 @@ impl<'b> Stencil<'b> {
         Ok([one(0)?, one(1)?, one(2)?, one(3)?])
     }
 
-    pub fn new(base: &'b Beside, beside: &'b [Beside; 4]) -> Self {
+    pub(crate) fn new(base: &'b Beside, beside: &'b [Beside; 4]) -> Self {
         Self { base, beside }
     }
 
     /// Whether all of the models have the unknowns of a state of the one that was peeled.
-    pub fn has_unknowns_of(&self, at: &State) -> bool {
+    pub(crate) fn has_unknowns_of(&self, at: &State) -> bool {
         self.beside.iter().all(|beside| beside.carried(self.base, at).is_some())
     }
 
     /// Change of what is not held at a point. What the grip exerts stays along the drive and across it.
-    pub fn force(&self, point: &Adjoint) -> Change {
+    pub(crate) fn force(&self, point: &Adjoint) -> Change {
         let mut scale = 0.0f64;
         let values = std::array::from_fn(|k| {
             let Some(at) = self.beside[k].carried(self.base, &point.at) else { return f64::NAN };
@@ -211,12 +215,12 @@ impl<'b> Stencil<'b> {
     }
 
     /// ∂Π/∂x at an equilibrium with dΠ/du = `power`, nN, whose grip stays along the drive.
-    pub fn energy(&self, at: &State, power: f64) -> Change {
+    pub(crate) fn energy(&self, at: &State, power: f64) -> Change {
         self.energy_of(at, power, |_| 0.0)
     }
 
     /// The same where the path begins: its grip is where the beam is stress-free.
-    pub fn energy_at_start(&self, at: &State, power: f64) -> Change {
+    pub(crate) fn energy_at_start(&self, at: &State, power: f64) -> Change {
         self.energy_of(at, power, |problem| problem.displacement(&problem.initial(at.mesh.elements())))
     }
 

@@ -23,7 +23,7 @@ impl Held {
     }
 
     /// Change of what is not held, per unit of what is.
-    pub fn slope(self, solution: &Solution) -> f64 {
+    pub(crate) fn slope(self, solution: &Solution) -> f64 {
         match self {
             Self::Displacement => solution.slope.force,
             Self::Force => solution.slope.displacement,
@@ -66,7 +66,7 @@ pub(super) fn solved(
 
 impl Adjoint {
     /// At an equilibrium of this problem; one transposed solve.
-    pub fn new(problem: &BeamProblem, at: &State, held: Held, ws: &mut Workspace) -> Result<Self, SolveError> {
+    pub(crate) fn new(problem: &BeamProblem, at: &State, held: Held, ws: &mut Workspace) -> Result<Self, SolveError> {
         let (system, grip) = (&*problem.system, &problem.grip);
         let constraint = PathConstraint { weights: held.weights(), target: 0.0 };
         let tangents = Tangents::new(problem, at, &constraint, ws)?;

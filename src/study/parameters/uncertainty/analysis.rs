@@ -7,7 +7,7 @@ use super::statistics::{SobolIndex, Statistics, sobol_indices};
 use crate::study::parameters::sensitivity::quantity::PeelQuantity;
 
 /// The quantiles that are reported.
-pub const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
+pub(crate) const PROBABILITIES: [f64; 7] = [0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99];
 /// The quantile of an input, and its counterpart, at which it is looked at alone.
 pub const ALONE_AT: f64 = 0.05;
 

@@ -70,7 +70,7 @@ impl Design {
     }
 
     /// Whether no inputs vary together.
-    pub fn is_independent(&self) -> bool {
+    pub(crate) fn is_independent(&self) -> bool {
         self.dependence.is_independent()
     }
 
@@ -95,7 +95,7 @@ impl Design {
     }
 
     /// Samples of one replicate: those of replicate r are `r * n..(r + 1) * n`.
-    pub fn samples_of_replicate(&self) -> usize {
+    pub(crate) fn samples_of_replicate(&self) -> usize {
         self.points * self.rows()
     }
 

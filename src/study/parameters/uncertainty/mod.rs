@@ -30,7 +30,7 @@ mod design;
 mod distribution;
 mod plan;
 mod statistics;
-pub use analysis::{ALONE_AT, Analysis, CutShort, NumberAnalysis, PROBABILITIES};
+pub use analysis::{ALONE_AT, Analysis, CutShort, NumberAnalysis};
 pub use derivatives::{
     DerivativesBy, OneAtATime, Order, Propagation, Sampled, SampledPeel, Taylor, one_at_a_time, sample,
     taylor_by_differences, taylor_polynomials,
@@ -38,4 +38,4 @@ pub use derivatives::{
 pub use design::{Design, SamplePlace};
 pub use distribution::{Distribution, NoDistribution};
 pub use plan::{Correlation, Indices, Input, NoDesign, Outcome, Plan, peel_numbers};
-pub use statistics::{CONFIDENCE, Estimate, Quantile, SobolIndex, Statistics, sobol_indices};
+pub use statistics::{Estimate, Quantile, SobolIndex, Statistics, sobol_indices};

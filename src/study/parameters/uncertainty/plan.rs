@@ -134,7 +134,7 @@ pub(super) struct Dependence {
 
 impl Dependence {
     /// Fails where the correlations contradict one another.
-    pub fn of(plan: &Plan) -> Result<Self, NoDesign> {
+    pub(crate) fn of(plan: &Plan) -> Result<Self, NoDesign> {
         let count = plan.inputs.len();
         let groups = groups(plan);
         if plan.correlations.is_empty() {
@@ -151,12 +151,12 @@ impl Dependence {
     }
 
     /// Whether no inputs vary together.
-    pub fn is_independent(&self) -> bool {
+    pub(crate) fn is_independent(&self) -> bool {
         self.factor.is_none()
     }
 
     /// z = L w
-    pub fn correlated(&self, independent: &[f64]) -> Vec<f64> {
+    pub(crate) fn correlated(&self, independent: &[f64]) -> Vec<f64> {
         match &self.factor {
             None => independent.to_vec(),
             Some(factor) => {

@@ -96,7 +96,7 @@ fn share_below(numbers: &[f64], value: f64) -> f64 {
 // -- What independent replicates say of a number: its estimate, and how far that may be off by chance --
 
 /// Probability with which a true value is within its error.
-pub const CONFIDENCE: f64 = 0.95;
+pub(crate) const CONFIDENCE: f64 = 0.95;
 
 /// A number estimated from samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -44,7 +44,7 @@ pub(in crate::study::peel) struct WorkErrors<'p> {
 
 impl<'p> WorkErrors<'p> {
     /// Of a path that begins at a point.
-    pub fn new(problem: &'p BeamProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
+    pub(crate) fn new(problem: &'p BeamProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
         let known = problem.system.is_conservative() && !problem.system.has_history();
         let start = known.then(|| change_of_energy(problem, first, Observables::DISPLACEMENT, ws)).flatten();
         Self { problem, start, first: energy(problem, first), relative }
@@ -55,7 +55,7 @@ impl<'p> WorkErrors<'p> {
     /// On half as many elements again the limit point lies Δu further, and its energy is that of the solution with the same force (at a limit
     /// point of the displacement; with the same displacement at one of the force), and P du from there: with E' and u' of that solution it
     /// changes by E' - E - P (u' - u) + P Δu. The last is bounded as the displacement is.
-    pub fn at(
+    pub(crate) fn at(
         &self,
         located: &Located,
         kind: LimitPointKind,

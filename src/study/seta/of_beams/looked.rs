@@ -33,7 +33,7 @@ struct Passed {
 
 impl Run<'_> {
     /// Keeps the stations and events on the way to this label of a step; where the first one lies that stops the run, with its name.
-    pub fn look(
+    pub(crate) fn look(
         &mut self,
         drive: &RootDrive,
         (stretch, segment): (Stretch, &PathSegment),

@@ -64,7 +64,7 @@ impl Stretch<'_> {
 
 impl Run<'_> {
     /// The stable equilibria from where the run stands, to the end of the step or to where stability is lost.
-    pub fn follow(&mut self, step: &SetaStep, drive: &RootDrive) -> Result<PieceEnd, SetaEnd> {
+    pub(crate) fn follow(&mut self, step: &SetaStep, drive: &RootDrive) -> Result<PieceEnd, SetaEnd> {
         let (problem, target) = (self.problem(drive), self.target(step));
         let at = self.reached.here.as_ref().map_or_else(|| self.model.lying(&self.tree), |here| here.at.clone());
         let path = Path::from(&problem, *self.options, at).until(self.stop.while_followed());
@@ -137,7 +137,7 @@ impl Run<'_> {
     }
 
     /// Which observable ends a step, and at what.
-    pub fn target(&self, step: &SetaStep) -> PathConstraint {
+    pub(crate) fn target(&self, step: &SetaStep) -> PathConstraint {
         match step.until {
             StepEnd::Travel(length) | StepEnd::Detached(length) => {
                 let target = self.most_displacement().map_or(length, |most| most.min(length));

@@ -75,7 +75,7 @@ pub struct BeamsPullOff {
 }
 
 /// Is shown every equilibrium; behind a loss of stability with what has been reached.
-pub type SeeBeams<'a> = dyn FnMut(&SetaState, Option<&BeamsProgress>) + 'a;
+pub(crate) type SeeBeams<'a> = dyn FnMut(&SetaState, Option<&BeamsProgress>) + 'a;
 
 /// A pull-off that is under way.
 pub(super) struct Run<'a> {
@@ -90,7 +90,7 @@ pub(super) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    pub fn new(
+    pub(crate) fn new(
         model: &'a SetaOfBeams,
         loading: &'a SetaLoading,
         options: &'a PathOptions,
@@ -118,12 +118,12 @@ impl<'a> Run<'a> {
     }
 
     /// Whether the step is the pull.
-    pub fn is_last(&self) -> bool {
+    pub(crate) fn is_last(&self) -> bool {
         self.reached.step + 1 == self.loading.steps.len()
     }
 
     /// The tree with its spatulae as they are, in the grip that moves its root.
-    pub fn problem(&self, drive: &RootDrive) -> Problem {
+    pub(crate) fn problem(&self, drive: &RootDrive) -> Problem {
         let (first, off) = (self.model.spatula_of(0), &self.reached.off);
         let adheres = |branch: usize| !branch.checked_sub(first).is_some_and(|tip| off[tip]);
         let tree = self.tree.with_adhesion(adheres).with_root_axes(drive.axes);
@@ -141,17 +141,17 @@ impl<'a> Run<'a> {
 
 impl Run<'_> {
     /// The criterion that is met before a path goes on.
-    pub fn bound(&self) -> Option<Bound> {
+    pub(crate) fn bound(&self) -> Option<Bound> {
         let points = self.reached.result.points.len() >= self.stop.points;
         points.then_some(Bound::Points(self.stop.points)).or_else(|| self.stop.reached_bound(Stage::Path))
     }
 
     /// The displacement at which the pull is left, nm.
-    pub fn most_displacement(&self) -> Option<f64> {
+    pub(crate) fn most_displacement(&self) -> Option<f64> {
         self.stop.displacement.filter(|_| self.is_last())
     }
 
-    pub fn bound_of_displacement(&self) -> Option<Bound> {
+    pub(crate) fn bound_of_displacement(&self) -> Option<Bound> {
         self.most_displacement()
             .filter(|&most| self.reached.displacement >= most * (1.0 - LOCATED))
             .map(Bound::Displacement)
@@ -164,12 +164,12 @@ impl Run<'_> {
     }
 
     /// Whether a solve was stopped from outside.
-    pub fn is_cut_short(&self, cause: &SolveError) -> bool {
+    pub(crate) fn is_cut_short(&self, cause: &SolveError) -> bool {
         self.stopped_by(cause).is_some()
     }
 
     /// Where the run stands when it cannot go on.
-    pub fn lost(&self, cause: SolveError) -> SetaEnd {
+    pub(crate) fn lost(&self, cause: SolveError) -> SetaEnd {
         if let Some(bound) = self.stopped_by(&cause) {
             return SetaEnd::Bound(bound);
         }

@@ -16,14 +16,14 @@ const UPRIGHT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 impl Run<'_> {
     /// The spatulae that stand on the face of their end.
-    pub fn upright<'s>(&'s self, at: &'s State) -> impl Iterator<Item = usize> + 's {
+    pub(crate) fn upright<'s>(&'s self, at: &'s State) -> impl Iterator<Item = usize> + 's {
         let ends = self.model.seta.joints();
         let rises = move |tip: usize| matrix(self.tree.joint(at, ends + tip).1)[1][0] > UPRIGHT;
         (0..self.reached.off.len()).filter(move |&tip| rises(tip) && self.branch(at, tip).adheres())
     }
 
     /// Whether a spatula adheres.
-    pub fn branch(&self, at: &State, tip: usize) -> TipBranch {
+    pub(crate) fn branch(&self, at: &State, tip: usize) -> TipBranch {
         let nearest = || self.tree.nearest(at, self.model.spatula_of(tip));
         let adheres = !self.reached.off[tip] && nearest() < self.model.reach();
         if adheres { TipBranch::Attached } else { TipBranch::Detached }
@@ -33,27 +33,27 @@ impl Run<'_> {
         (0..self.reached.off.len()).filter(|&tip| self.branch(at, tip).adheres()).count()
     }
 
-    pub fn is_off(&self, at: &State) -> bool {
+    pub(crate) fn is_off(&self, at: &State) -> bool {
         self.attached(at) == 0
     }
 
-    pub fn last(&self) -> SetaPoint {
+    pub(crate) fn last(&self) -> SetaPoint {
         self.reached.result.points.last().copied().unwrap_or_default()
     }
 
     /// Whether the step under way has a point.
-    pub fn has_begun_step(&self) -> bool {
+    pub(crate) fn has_begun_step(&self) -> bool {
         self.reached.result.points.last().is_some_and(|last| last.step == self.reached.step)
     }
 
     /// The numbers of an equilibrium, with work and energy released as before.
-    pub fn point(&self, drive: &RootDrive, solution: &Solution, before: SetaPoint) -> SetaPoint {
+    pub(crate) fn point(&self, drive: &RootDrive, solution: &Solution, before: SetaPoint) -> SetaPoint {
         let numbers = [solution.observables.displacement, solution.observables.force, solution.energy];
         self.with_numbers(drive, &solution.at, numbers, before)
     }
 
     /// The same of any state on a stable piece, with the work that its energy says.
-    pub fn point_of(&self, problem: &Problem, drive: &RootDrive, at: &State, before: SetaPoint) -> SetaPoint {
+    pub(crate) fn point_of(&self, problem: &Problem, drive: &RootDrive, at: &State, before: SetaPoint) -> SetaPoint {
         let [x, y, z] = self.tree.joint(at, 0).0;
         let root = [x, y - self.model.foot(), z];
         let displacement =
@@ -87,7 +87,7 @@ impl Run<'_> {
     }
 
     /// Joints, branches, tips and spatulae in a state.
-    pub fn state(&self, at: &State, point: SetaPoint, location: Option<LocationError>) -> SetaState {
+    pub(crate) fn state(&self, at: &State, point: SetaPoint, location: Option<LocationError>) -> SetaState {
         let seta = &self.model.seta;
         let section = |tip: usize, boundary: usize| self.tree.section(at, self.model.spatula_of(tip), boundary);
         let tip = |tip: usize| {
@@ -122,7 +122,12 @@ impl Run<'_> {
     }
 
     /// Goes on to an equilibrium with these numbers; its state.
-    pub fn push(&mut self, solution: &Arc<Solution>, point: SetaPoint, location: Option<LocationError>) -> SetaState {
+    pub(crate) fn push(
+        &mut self,
+        solution: &Arc<Solution>,
+        point: SetaPoint,
+        location: Option<LocationError>,
+    ) -> SetaState {
         self.reached.here = Some(solution.clone());
         self.reached.displacement = point.displacement;
         self.reached.result.points.push(point);
@@ -130,7 +135,7 @@ impl Run<'_> {
     }
 
     /// Keeps a state of the pull whose force is the largest so far.
-    pub fn keep_peak(&mut self, state: &SetaState, before: Option<BeforePeak>) {
+    pub(crate) fn keep_peak(&mut self, state: &SetaState, before: Option<BeforePeak>) {
         let known = self.reached.result.peak.as_ref().map(|peak| peak.point);
         if self.is_last() && known.is_none_or(|known| state.point.force_along > known.force_along) {
             self.reached.result.peak = Some(state.clone());

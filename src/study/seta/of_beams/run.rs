@@ -160,7 +160,7 @@ impl Run<'_> {
     }
 
     /// The stable equilibrium to which the energy falls with the root held; spatulae that come to stand on their end let go on the way.
-    pub fn at_rest(
+    pub(crate) fn at_rest(
         &mut self,
         drive: &RootDrive,
         mut at: State,

@@ -67,7 +67,7 @@ const SHARP: f64 = 1e-15;
 
 impl MachineCurve {
     /// Of a path whose solutions are known; nothing where it has no step.
-    pub fn of(peel: &Peel) -> Option<Self> {
+    pub(crate) fn of(peel: &Peel) -> Option<Self> {
         let history = peel.trace.as_ref()?;
         let compliance = peel.model.grip.stiffness.map_or(0.0, f64::recip);
         let turn = peel.limit_points.iter().find(|point| point.kind == LimitPointKind::Displacement);
@@ -113,7 +113,7 @@ impl MachineCurve {
     }
 
     /// Where the machine is at U, which lies between start and end of the branch.
-    pub fn at(&self, machine: f64) -> BranchPoint {
+    pub(crate) fn at(&self, machine: f64) -> BranchPoint {
         let step = self.steps.partition_point(|step| step.machine <= machine).max(1) - 1;
         let step = &self.steps[step];
         let is_before = |label: f64| step.machine_at(label, self.compliance).0 < machine;
@@ -124,17 +124,17 @@ impl MachineCurve {
     }
 
     /// u of the grip where the branch ends, as far as it is solved for, nm.
-    pub fn last_grip(&self) -> f64 {
+    pub(crate) fn last_grip(&self) -> f64 {
         self.end.at.grip.min(self.furthest)
     }
 
     /// dP/dU at a point of it, nN/nm.
-    pub fn machine_slope(&self, at: &BranchPoint) -> f64 {
+    pub(crate) fn machine_slope(&self, at: &BranchPoint) -> f64 {
         at.slope / (1.0 + self.compliance * at.slope)
     }
 
     /// (U, P) at so many places of each step, to be drawn.
-    pub fn points(&self, per_step: usize) -> Vec<(f64, f64)> {
+    pub(crate) fn points(&self, per_step: usize) -> Vec<(f64, f64)> {
         let place = |step: &Step, k: usize| {
             let label = step.until * k as f64 / per_step as f64;
             (step.machine_at(label, self.compliance).0, step.force.at(label).0)
@@ -191,7 +191,7 @@ pub(in crate::study::parameters::fit) struct Modelled {
 
 impl Modelled {
     /// At a displacement of the machine, nm.
-    pub fn at(curve: &MachineCurve, machine: f64) -> Self {
+    pub(crate) fn at(curve: &MachineCurve, machine: f64) -> Self {
         let (start, force_at_start) = curve.start;
         let edge = start + (1.0 - EDGE) * (curve.end.machine - start);
         let (place, on_branch) = if machine < start {
@@ -212,7 +212,7 @@ impl Modelled {
     }
 
     /// The same of a curve that is no peel, between these ends: behind the last one it keeps the force that it has there.
-    pub fn of_pull(curve: &PulledCurve, (start, end): (f64, f64), machine: f64) -> Self {
+    pub(crate) fn of_pull(curve: &PulledCurve, (start, end): (f64, f64), machine: f64) -> Self {
         let (place, on_branch) = if machine < start {
             (PointPlace::BeforeStart, (2.0 * start - machine).min(end))
         } else if machine > end {
@@ -231,17 +231,17 @@ impl Modelled {
     }
 
     /// The same with a force zero, nN.
-    pub fn above(self, force_zero: f64) -> Self {
+    pub(crate) fn above(self, force_zero: f64) -> Self {
         Self { force: self.force + force_zero, ..self }
     }
 
     /// u of the grip at the point of the branch, nm.
-    pub fn grip(&self) -> f64 {
+    pub(crate) fn grip(&self) -> f64 {
         self.at.grip
     }
 
     /// dP/dx at the measured displacement.
-    pub fn derivative(&self, curve: &MachineCurve, change: &Change) -> f64 {
+    pub(crate) fn derivative(&self, curve: &MachineCurve, change: &Change) -> f64 {
         let stiffness = 1.0 + curve.compliance * change.slope;
         let held = (change.force - change.slope * self.at.force * change.compliance) / stiffness;
         let start = change.compliance * curve.start.1 + curve.compliance * change.force_at_start;

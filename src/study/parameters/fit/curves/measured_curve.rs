@@ -85,12 +85,6 @@ impl MeasuredCurve {
         Ok(Self { points, jump: Some(found), behind_jump, rest })
     }
 
-    /// Standard error of the forces from how neighbours differ, nN: from second differences, which a smooth curve does not show. A median, which
-    /// its few sharp bends do not change.
-    pub fn noise(&self) -> f64 {
-        noise([self])
-    }
-
     /// First and last displacement, nm.
     pub fn range(&self) -> (f64, f64) {
         (self.points[0].displacement, self.points[self.points.len() - 1].displacement)
@@ -139,7 +133,8 @@ fn detached_from(points: &[MeasuredPoint], zero: Option<f64>) -> Option<usize> {
     jumps.then_some(before)
 }
 
-/// As [`MeasuredCurve::noise`], of several curves.
+/// Standard error of the forces of several curves from how neighbours differ, nN: from second differences, which a smooth curve does not show. A
+/// median, which its few sharp bends do not change.
 pub(in crate::study::parameters::fit) fn noise<'c>(curves: impl IntoIterator<Item = &'c MeasuredCurve>) -> f64 {
     noise_of(curves.into_iter().map(|curve| &curve.points[..]))
 }
@@ -189,7 +184,7 @@ mod tests {
         assert_eq!(curve.jump.unwrap().displacement, 19.5);
         assert!((curve.jump.unwrap().error - 1.0 / 12f64.sqrt()).abs() < 1e-15);
         assert_eq!((curve.points.len(), curve.behind_jump.len()), (20, 10));
-        assert!((0.3..3.0).contains(&(curve.noise() / 0.01)), "{}", curve.noise());
+        assert!((0.3..3.0).contains(&(noise([&curve]) / 0.01)), "{}", noise([&curve]));
     }
 
     #[test]
