@@ -8,7 +8,7 @@ lengths in nm, forces in nN, works in aJ, rotations in rad.
 from ._native import SCHEMA, VERSION as __version__
 from ._sweep import read_sweep, sweep
 from .analyses import Fit, Optimum, Uncertainty, fit, optimise, uncertainty
-from .curve import ArrayCurve, ArrayEvents, ArrayRows, Columns, Curve, PullOffCurve, RateCurve, SolidCurve
+from .curve import ArrayCurve, ArrayEvents, ArrayRows, Columns, Curve, PullOffCurve, RateCurve, SolidCurve, StepCurve
 from .errors import ComputationError, ComputationWarning, PeelkitError, SceneError
 from .observed import Test
 from .found import Found
@@ -54,6 +54,7 @@ __all__ = [
     "SolidPeel",
     "State",
     "Station",
+    "StepCurve",
     "Test",
     "TipLaw",
     "Uncertainty",

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from . import _native
 
-__all__ = ["ArrayCurve", "ArrayEvents", "ArrayRows", "Columns", "Curve", "PullOffCurve", "RateCurve", "SolidCurve"]
+__all__ = ["ArrayCurve", "ArrayEvents", "ArrayRows", "Columns", "Curve", "PullOffCurve", "RateCurve", "SolidCurve", "StepCurve"]
 
 #: Rows that a notebook shows of either end.
 _SHOWN = 5
@@ -119,6 +119,42 @@ class Curve(Columns):
     yaw: NDArray[np.float64]
     reaction_across: NDArray[np.float64]
     reaction_lateral: NDArray[np.float64]
+
+
+class StepCurve(Columns):
+    """The columns of ``steps.csv``: an array a column, an item an equilibrium of the steps before a pull, relative to where the grip took hold.
+
+    Attributes
+    ----------
+    step : ndarray of int64
+        Number of the step in ``drive.steps``, from 1.
+    displacement, force : ndarray of float64
+        Of the grip along the pull, nm and nN; not a number where it is free there.
+    x, y : ndarray of float64
+        How far it has moved along the substrate and up, nm; x is not a number where it is free.
+    end_rotation : ndarray of float64
+        How far it has rotated, rad.
+    horizontal_force, vertical_force, moment : ndarray of float64
+        What it exerts, nN, nN and nN nm.
+    z, roll, yaw, lateral_force, torque, yaw_moment : ndarray of float64
+        The same in space: nm, degrees, degrees, nN, nN nm, nN nm. Absent in the plane.
+    """
+
+    step: NDArray[np.int64]
+    displacement: NDArray[np.float64]
+    force: NDArray[np.float64]
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    end_rotation: NDArray[np.float64]
+    horizontal_force: NDArray[np.float64]
+    vertical_force: NDArray[np.float64]
+    moment: NDArray[np.float64]
+    z: NDArray[np.float64]
+    roll: NDArray[np.float64]
+    yaw: NDArray[np.float64]
+    lateral_force: NDArray[np.float64]
+    torque: NDArray[np.float64]
+    yaw_moment: NDArray[np.float64]
 
 
 class PullOffCurve(Columns):

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _native, curve
-from .curve import Curve
+from .curve import Curve, StepCurve
 from .errors import ComputationError, PeelkitError
 from .notebook import numbers_of, table
 from .points import LimitPoint, Peak, Plateau, Station
@@ -57,6 +57,11 @@ class Peel:
     def curve(self) -> Curve:
         """The path points as arrays: the columns of ``curve.csv``."""
         return curve.of_columns(Curve, self._native.curve())
+
+    @cached_property
+    def steps(self) -> StepCurve:
+        """The equilibria of the steps before the pull as arrays: the columns of ``steps.csv``, without rows where there are no steps."""
+        return curve.of_columns(StepCurve, self._native.steps())
 
     @property
     def end(self) -> str:

@@ -1,6 +1,6 @@
 //! The result of a run.
 
-use crate::columns::{Column, counts, floats, of_records};
+use crate::columns::{Column, counts, floats, of_cells, of_records};
 use crate::errors::{other, refused};
 use crate::found::save;
 use crate::interrupt::Watch;
@@ -11,7 +11,7 @@ use peelkit::study::{self, Events, Passing, PathEnd, Peel, PeelResult, Stations,
 use peelkit_analyses::PeelOutcome;
 use peelkit_report::chart::Heading;
 use peelkit_report::pictures::peel::{captioned, curve, numbered_points};
-use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word};
+use peelkit_report::{GripOfPoint, PeelSummary, Record, SweepLine, VERSION, end_reason, end_word, steps_columns};
 use peelkit_scene::{BoundsTable, station};
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes};
@@ -173,6 +173,11 @@ impl NativePeel {
             true => of_records(py, points.map(|point| (point, GripOfPoint(point.in_space.unwrap_or_default())))),
             false => of_records(py, points),
         }
+    }
+
+    /// The columns of steps.csv; none where no steps come before the pull.
+    fn steps(&self, py: Python) -> PyResult<Vec<Column>> {
+        of_cells(py, steps_columns(&self.peel))
     }
 
     /// The beam at every limit point and at `count` places evenly along the path.

@@ -185,6 +185,14 @@ def test_a_curve_as_an_array_has_its_numbers(strip: peelkit.Scene) -> None:
         curve.__array__(copy=False)
 
 
+def test_the_steps_before_a_pull_are_arrays(strip: peelkit.Scene) -> None:
+    steps = strip.with_({"drive.steps": ["lift 10 nm", "press 4 nm"]}).run().steps
+    assert sorted(set(steps.step.tolist())) == [1, 2]
+    assert steps.displacement.max() == pytest.approx(10.0) and steps.displacement[-1] == pytest.approx(6.0)
+    assert (steps.displacement == steps.y).all() and (steps.force == steps.vertical_force).all()
+    assert "z" not in steps and len(strip.run().steps.force) == 0
+
+
 def cells(html: str) -> list[list[str]]:
     """The cells of a table of HTML, row by row."""
     table = ElementTree.fromstring(html[html.index("<table>") :])

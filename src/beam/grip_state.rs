@@ -53,3 +53,12 @@ pub struct PlaceInSpace {
     /// ρ, rad
     pub roll: f64,
 }
+
+/// The grip in the steps before a pull, seen from where it took hold.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StepsTaken {
+    /// Behind each step that came to its end
+    pub ends: Vec<GripState>,
+    /// At the equilibria of each step, from where it begins; those of a step that has no end as far as they go.
+    pub ways: Vec<Vec<GripState>>,
+}

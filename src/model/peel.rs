@@ -12,6 +12,7 @@ use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::section::sheared::ShearedLaw;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::bonded_beam::BondedBeam;
+use crate::beam::grip_state::GripState;
 use crate::beam::section::{Material, Section};
 use crate::beam::varying::BeamGeometry;
 use crate::solve::problem::Direction;
@@ -276,6 +277,19 @@ impl PeelModel {
     /// Whether what acts on it is the gradient of an energy, but for friction.
     pub fn has_potential(&self) -> bool {
         self.line_law().has_potential() && self.adhesion.sheared_law().is_none_or(|law| law.has_potential())
+    }
+
+    /// How far a grip has come along the pull, nm, and its force along it, nN; none where the pull has a part along the substrate and the grip is free
+    /// there.
+    pub fn along_pull(&self, grip: &GripState) -> Option<[f64; 2]> {
+        let direction = self.pull.direction();
+        let (sin, cos) = self.space.map_or(0.0, |space| space.azimuth).sin_cos();
+        let place = grip.in_space.unwrap_or_default();
+        let forces = grip.forces.in_space.unwrap_or_default();
+        let x = if direction.along == 0.0 { 0.0 } else { grip.x? };
+        let level = |x: f64, z: f64| x * cos + z * sin;
+        let displacement = direction.ahead(level(x, place.z), grip.y);
+        Some([displacement, direction.ahead(level(grip.forces.horizontal, forces.lateral), grip.forces.vertical)])
     }
 
     /// The law of its friction, if there is any.

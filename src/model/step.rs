@@ -1,5 +1,6 @@
 //! One step of the grip before the pull, as data.
 
+use crate::units::{LENGTHS, Unit};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -131,11 +132,11 @@ impl Step {
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::Press(amount) => write!(f, "press {amount} nm"),
-            Self::Lift(amount) => write!(f, "lift {amount} nm"),
-            Self::Drag(amount) => write!(f, "drag {amount} nm"),
-            Self::Push(amount) => write!(f, "push {amount} nm"),
-            Self::Shift(amount) => write!(f, "shift {amount} nm"),
+            Self::Press(amount) => write!(f, "press {}", exact_length(*amount)),
+            Self::Lift(amount) => write!(f, "lift {}", exact_length(*amount)),
+            Self::Drag(amount) => write!(f, "drag {}", exact_length(*amount)),
+            Self::Push(amount) => write!(f, "push {}", exact_length(*amount)),
+            Self::Shift(amount) => write!(f, "shift {}", exact_length(*amount)),
             Self::Turn(amount) => write!(f, "turn {}", angle_text(*amount)),
             Self::Roll(amount) => write!(f, "roll {}", angle_text(*amount)),
             Self::Yaw(amount) => write!(f, "yaw {}", angle_text(*amount)),
@@ -143,6 +144,13 @@ impl fmt::Display for Step {
             Self::Hold => write!(f, "hold"),
         }
     }
+}
+
+/// A length, nm, with its unit: in the one that fits it, where a number of that is the same to the last digit.
+fn exact_length(length: f64) -> String {
+    let unit = Unit::fitting(LENGTHS, length.abs());
+    let value = unit.of(length);
+    if value * unit.size == length { format!("{value} {}", unit.name) } else { format!("{length} nm") }
 }
 
 /// An angle with its unit: in degrees, where a number of at most nine decimals of them is the same to the last digit.

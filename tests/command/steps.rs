@@ -6,6 +6,7 @@ use peelkit::model::{Hold, PeelModel, Pull, Step};
 use peelkit::study::{Accuracy, NoTest, StopCriteria, observed};
 use serde_json::Value;
 use std::f64::consts::FRAC_PI_3;
+use std::path::Path;
 use std::process::Command;
 
 const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
@@ -111,4 +112,62 @@ fn the_peak_is_followed_in_the_turn() {
             assert!((a - b).abs() <= 1e-6 * a.abs(), "at {} rad/nm: {a} and {b}", followed["value"]);
         }
     }
+}
+
+/// The columns `step`, `displacement_nm` and `force_nN` of steps.csv.
+fn way(dir: &Path) -> Vec<(usize, f64, f64)> {
+    let mut table = csv::Reader::from_path(dir.join("steps.csv")).unwrap();
+    let place = |name: &str, header: &csv::StringRecord| header.iter().position(|own| own == name).unwrap();
+    let header = table.headers().unwrap().clone();
+    let [step, displacement, force] = ["step", "displacement_nm", "force_nN"].map(|name| place(name, &header));
+    let row = |row: csv::StringRecord| {
+        (row[step].parse().unwrap(), row[displacement].parse().unwrap(), row[force].parse().unwrap())
+    };
+    table.records().map(|found| row(found.unwrap())).collect()
+}
+
+/// A lift passes the equilibria of the pull from rest: each row of steps.csv lies on its curve, to 1e-6 of the peak, and so do those of a step that
+/// ends at the snap-off, before it is done.
+#[test]
+fn the_way_of_a_lift_is_the_curve_from_rest() {
+    let curve = |u: f64| {
+        let (code, summary, told) = run(&["run", SCENE, "--json", "--at", &format!("u={u} nm")]);
+        assert_eq!(code, Some(0), "{told}");
+        summary["stations"][0]["found"][0]["force_nN"].as_f64().unwrap()
+    };
+    let dir = tempfile::tempdir().unwrap();
+    for (lift, code, end) in [("30 nm", Some(0), 30.0), ("60 nm", Some(3), 46.0)] {
+        let folder = dir.path().join(lift);
+        let output = Command::new(env!("CARGO_BIN_EXE_peel"))
+            .args(["run", SCENE, "--set", &format!("drive.steps=[\"lift {lift}\"]"), "--out"])
+            .arg(&folder)
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), code, "{}", String::from_utf8_lossy(&output.stderr));
+        let way = way(&folder);
+        assert!(way[0].1 == 0.0 && way[way.len() - 1].1 >= end && way.len() > 10, "{way:?}");
+        for &(step, u, force) in way.iter().skip(1).step_by(4) {
+            assert_eq!(step, 1);
+            assert_near(&format!("force at {u} nm"), force, curve(u), 1e-6 * 0.341);
+        }
+        assert!(folder.join("steps.png").exists());
+    }
+}
+
+/// An arm that does not heal comes back along a straight line to nothing, and its pull goes up that line again.
+#[test]
+fn the_way_back_of_an_arm_that_does_not_heal_is_straight() {
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/double-cantilever.toml");
+    let dir = tempfile::tempdir().unwrap();
+    let steps = "drive.steps=[\"lift 3 mm\", \"press 1.5 mm\"]";
+    let output = Command::new(env!("CARGO_BIN_EXE_peel"))
+        .args(["run", scene, "--set", "adhesion.healing=false", "--set", steps, "--out"])
+        .arg(dir.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let back: Vec<_> = way(dir.path()).into_iter().filter(|row| row.0 == 2).collect();
+    let compliance = |&(_, u, force): &(usize, f64, f64)| u / force;
+    let first = compliance(&back[0]);
+    assert!(back.len() >= 3 && back.iter().all(|row| (compliance(row) / first - 1.0).abs() < 3e-3), "{back:?}");
 }

@@ -1,6 +1,6 @@
 //! Why a path has no start.
 
-use crate::beam::grip_state::{ForcesInSpace, GripForces, GripState};
+use crate::beam::grip_state::{ForcesInSpace, GripForces, StepsTaken};
 use crate::beam::planar::model_limits::UprightSection;
 use crate::model::problem::build::NoSuchOrder;
 use crate::model::step::{Moved, Step, whole_degrees};
@@ -224,6 +224,6 @@ impl fmt::Display for LoadingProgress {
 pub struct NotPrepared {
     /// Why there is no equilibrium to start from
     pub why: NoEquilibrium,
-    /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
-    pub steps: Vec<GripState>,
+    /// The grip in the steps before the pull, as far as they were taken.
+    pub steps: StepsTaken,
 }

@@ -7,7 +7,7 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
-use crate::beam::grip_state::GripState;
+use crate::beam::grip_state::{GripState, StepsTaken};
 use crate::beam::planar::planar_beam::FRONT;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -47,15 +47,14 @@ const MOST_EQUILIBRIA: usize = 500;
 /// Parts of a segment of the path in which its end is looked for.
 const PARTS: usize = 64;
 
-/// Takes the steps of a model: its problem then starts where they have led, unless one of them has no end. The grip behind each that
-/// was taken.
+/// Takes the steps of a model: its problem then starts where they have led, unless one of them has no end.
 pub(super) fn take(
     model: &PeelModel,
     problem: &mut BeamProblem,
     should_stop: Option<ShouldStop>,
-) -> (Vec<GripState>, Result<(), NoEquilibrium>) {
+) -> (StepsTaken, Result<(), NoEquilibrium>) {
     if model.steps.is_empty() {
-        return (Vec::new(), Ok(()));
+        return (StepsTaken::default(), Ok(()));
     }
     let pull = GripControl::of(problem);
     let mut sequence = LoadingSequence {
@@ -64,7 +63,7 @@ pub(super) fn take(
         pull,
         first: None,
         should_stop,
-        taken: Vec::new(),
+        taken: StepsTaken::default(),
     };
     let taken = sequence.all(&model.steps, problem);
     pull.set(problem);
@@ -105,8 +104,8 @@ struct LoadingSequence {
     /// Where they began.
     first: Option<Arc<State>>,
     should_stop: Option<ShouldStop>,
-    /// The grip behind each step.
-    taken: Vec<GripState>,
+    /// The grip in the steps so far.
+    taken: StepsTaken,
 }
 
 impl LoadingSequence {
@@ -118,18 +117,29 @@ impl LoadingSequence {
             if step != Step::Hold {
                 self.take_hold(problem, moved).map_err(failed(LoadingPhase::LettingGo { number, step }))?;
             }
+            let mut way: Vec<GripState> = self.grip(problem).into_iter().collect();
             let taken = match (step, step.motion()) {
-                (_, Some((_, amount))) => self.follow(problem, Goal::moved(problem, moved, amount)),
-                (Step::Release, None) => self.release(problem),
+                (_, Some((_, amount))) => self.follow(problem, Goal::moved(problem, moved, amount), &mut way),
+                (Step::Release, None) => self.release(problem, &mut way),
                 _ => Ok(()),
             };
+            let end = self.grip(problem).filter(|_| taken.is_ok());
+            way.extend(end);
+            self.taken.ways.push(way);
             taken.map_err(failed(LoadingPhase::Step { number, step }))?;
-            if let (Some(at), Some(first)) = (problem.start.known(), &self.first) {
-                self.taken.push(problem.beam.grip_state(at, first));
-            }
+            self.taken.ends.extend(end);
         }
         self.pull.set(problem);
         self.let_go(problem).map_err(failed(LoadingPhase::LettingGoToPull))
+    }
+
+    /// The grip where the problem begins.
+    fn grip(&self, problem: &BeamProblem) -> Option<GripState> {
+        self.grip_in(problem, problem.start.known()?)
+    }
+
+    fn grip_in(&self, problem: &BeamProblem, at: &State) -> Option<GripState> {
+        Some(problem.beam.grip_state(at, self.first.as_ref()?))
     }
 
     /// The equilibrium from which the first step goes.
@@ -157,19 +167,19 @@ impl LoadingSequence {
             return Ok(());
         };
         meanwhile.set(problem);
-        let done = self.follow(problem, Goal::without(problem, force));
+        let done = self.follow(problem, Goal::without(problem, force), &mut Vec::new());
         control.set(problem);
         done
     }
 
     /// Lets the vertical force fall to zero, with the height as what moves.
-    fn release(&self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
+    fn release(&self, problem: &mut BeamProblem, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
         let Some(at) = problem.start.known() else { return Ok(()) };
         let force = problem.beam.grip_forces(at).vertical;
         if force.abs() < NONE * problem.measure.force {
             return Ok(());
         }
-        self.follow(problem, Goal::without(problem, force))
+        self.follow(problem, Goal::without(problem, force), way)
     }
 
     fn options(&self, first: f64) -> PathOptions {
@@ -184,15 +194,15 @@ impl LoadingSequence {
         }
     }
 
-    /// Follows the equilibria from where the problem begins to the goal, where it then begins.
-    fn follow(&self, problem: &mut BeamProblem, goal: Goal) -> Result<(), LoadingError> {
-        let end = self.path(problem, goal)?;
+    /// Follows the equilibria from where the problem begins to the goal, where it then begins; the grip at those between goes to the `way`.
+    fn follow(&self, problem: &mut BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
+        let end = self.path(problem, goal, way)?;
         let weights = goal.weights();
         self.lead(problem, (&end, goal.unit), &PathConstraint { weights, target: goal.value })
     }
 
     /// The solution at the goal, on the elements of the path there.
-    fn path(&self, problem: &BeamProblem, goal: Goal) -> Result<Solution, LoadingError> {
+    fn path(&self, problem: &BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<Solution, LoadingError> {
         let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
         let start = path.advance().map_err(LoadingError::Start)?;
         let value = goal.what.pick();
@@ -230,6 +240,7 @@ impl LoadingSequence {
                 })?;
                 return if is_lost(&end) { Err(lost(problem, &segment, goal, &before, turned)) } else { Ok(end) };
             }
+            way.extend(self.grip_in(problem, &here.at));
             before = here;
         }
         Err(LoadingError::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })

@@ -2,7 +2,7 @@
 
 use super::error::{NoEquilibrium, NotPrepared, UnstableRest};
 use super::stability::RelaxedStart;
-use crate::beam::grip_state::GripState;
+use crate::beam::grip_state::StepsTaken;
 use crate::beam::mesh::MeshKind;
 use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
@@ -16,8 +16,8 @@ use std::sync::Arc;
 pub struct Prepared {
     /// With the start of its path
     pub problem: BeamProblem,
-    /// The grip behind each step before the pull, seen from where it took hold.
-    pub steps: Vec<GripState>,
+    /// The grip in the steps before the pull.
+    pub steps: StepsTaken,
     /// Where the equilibrium next to the stress-free configuration is unstable: what it took to leave it.
     pub relaxed: Option<RelaxedStart>,
 }
@@ -30,18 +30,18 @@ pub fn prepared(
     how: Discretisation,
     should_stop: Option<ShouldStop>,
 ) -> Result<Prepared, NotPrepared> {
-    let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: Vec::new() };
+    let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: StepsTaken::default() };
     stability::check_bonded(model).map_err(refused)?;
     let discretised = |how: Discretisation| {
         let problem = model.discretised(how, |_| {});
-        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Vec::new() })
+        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: StepsTaken::default() })
     };
     let mut problem = discretised(how)?;
     if !model.ground.substrate.is_flat() {
         // it may touch anywhere
         let fixed = discretised(how.on(MeshKind::Graded))?;
         let at = settled::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
-            .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Vec::new() })?;
+            .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: StepsTaken::default() })?;
         problem.start_at(Arc::new(at));
     }
     settled::settle_in_space(model, &mut problem, &should_stop);

@@ -221,6 +221,7 @@ pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
     Peel {
         model: model.clone(),
         steps: Vec::new(),
+        step_ways: Vec::new(),
         relaxed_start: None,
         points: Vec::new(),
         limit_points: Vec::new(),

@@ -7,6 +7,7 @@ use super::budget::{Budget, Checkpoint, Limits};
 use super::equilibrium_path::follow::follow;
 use super::result::{Effort, Failure, GivenUp, PathEnd, PathFailure, Peel};
 use super::step_dependence::Common;
+use crate::beam::grip_state::StepsTaken;
 use crate::beam::mesh::{Focus, MeshKind, Reach};
 use crate::beam::planar::model_limits::{PoleInReach, UprightSection};
 use crate::model::peel::PeelModel;
@@ -68,7 +69,7 @@ pub(super) fn on_meshes(
     let first = Resolution::first(model, accuracy);
     let how = Discretisation::moving(form, first.order).on(mesh);
     let prepared = match start {
-        Some(known) => Ok((known.problem.clone(), Vec::new(), None)),
+        Some(known) => Ok((known.problem.clone(), StepsTaken::default(), None)),
         None => prepared(model, how, limits.should_stop())
             .map(|Prepared { problem, steps, relaxed }| (Arc::new(problem), steps, relaxed)),
     };
@@ -76,7 +77,14 @@ pub(super) fn on_meshes(
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
             let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
-            return Peel { steps, end, asked, choice: accuracy.choice, ..empty(model) };
+            return Peel {
+                steps: steps.ends,
+                step_ways: steps.ways,
+                end,
+                asked,
+                choice: accuracy.choice,
+                ..empty(model)
+            };
         }
     };
     let mut meshes = Meshes {
@@ -146,7 +154,7 @@ pub(super) fn on_meshes(
     }
     let given_up = stopped.or_else(|| budget.is_spent().then_some(GivenUp::Work));
     let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(given_up));
-    (peel.steps, peel.relaxed_start) = (steps, relaxed);
+    (peel.steps, peel.step_ways, peel.relaxed_start) = (steps.ends, steps.ways, relaxed);
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel

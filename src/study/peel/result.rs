@@ -98,6 +98,10 @@ pub struct Peel {
     pub model: PeelModel,
     /// The grip behind each step before the pull, as far as they were taken, seen from where it took hold.
     pub steps: Vec<GripState>,
+    /// The grip at the equilibria of each step, from where it begins; those of a step that has no end as far as they go. Between its ends they are on
+    /// the mesh of the step, without a bound.
+    #[serde(default)]
+    pub step_ways: Vec<Vec<GripState>>,
     /// Where the equilibrium next to the stress-free configuration is unstable: that the path starts in the stable one to which the beam has
     /// been relaxed from there.
     #[serde(default)]

@@ -57,6 +57,8 @@ const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_
 const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Past the peak of the sideways pull, where its limit points are.
 const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
+/// A short pull behind a step.
+const LIFTED: &[&str] = &["--set", "drive.steps=[\"lift 0.02 nm\"]", "--set", "bounds.displacement=0.1 nm"];
 /// Past a branch point of the symmetric path.
 const UPWARD: &[&str] = &["--set", "drive.angle=90 deg", "--set", "bounds.displacement=0.2 nm"];
 /// With a peak, a jump, and an end on the planar path.
@@ -142,6 +144,7 @@ fn every_column_is_described() {
     let sideways = format!("{}/scenes/strip-sideways.toml", super::ROOT);
     peel(&[&["run", &sideways, "--out", "sideways", "--states", "0"], ROUGHLY, PAST_PEAK].concat(), folder.path());
     peel(&[&["run", &scene, "--out", "branch"], ROUGHLY, BRANCH].concat(), folder.path());
+    peel(&[&["run", &sideways, "--out", "steps"], ROUGHLY, LIFTED].concat(), folder.path());
     let branch = std::fs::read_to_string(folder.path().join("branch/branch.csv")).unwrap();
     let curve = keys("curve.csv");
     let of_curve = |column: &str| curve.iter().any(|key| key.path == column);
@@ -152,6 +155,7 @@ fn every_column_is_described() {
     for (file, name) in [
         ("sideways/curve.csv", "curve.csv"),
         ("sideways/limit_points.csv", "limit_points.csv"),
+        ("steps/steps.csv", "steps.csv"),
         ("run/observed.csv", "observed.csv"),
         ("run/states.csv", "states.csv"),
         ("sideways/states.csv", "states.csv in space"),

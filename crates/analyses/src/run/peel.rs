@@ -262,6 +262,10 @@ impl Outcome for PeelOutcome {
             report::write_curve(dir, peel, stability)?,
             report::write_limit_points(dir, peel)?,
         ];
+        if !peel.step_ways.is_empty() {
+            files.push(report::write_steps(dir, peel)?);
+            files.extend(report::draw_steps(peel, scene, dir)?);
+        }
         if !(self.stations.is_empty() && self.events.is_empty()) {
             files.push(report::write_stations(dir, &self.stations, &self.events)?);
         }

@@ -4,12 +4,12 @@ use super::located::Fold;
 use super::model::Ground;
 use super::observed::ObservedSummary;
 use super::out_of_plane::{BranchFound, OutOfPlaneFound};
+use super::steps::StepEnd;
 use super::summary::{Found, Summary};
 use crate::writing::names::{end_reason, end_word, form_word};
 use crate::writing::record::{Fields, Record};
 use crate::writing::reference::Output;
-use peelkit::beam::GripState;
-use peelkit::model::{Form, Step};
+use peelkit::model::Form;
 use peelkit::solve::Pace;
 use peelkit::study::{Events, Exponent, Observed, OutOfPlane, OutOfPlaneBranch, Peel, Stations};
 use peelkit_scene::Scene;
@@ -102,28 +102,6 @@ fn pace_word(pace: Pace) -> &'static str {
         Pace::Quick => "quick",
         Pace::Wary => "wary",
         Pace::Watchful => "watchful",
-    }
-}
-
-/// A step before the pull, and the grip after it, relative to where it took hold.
-struct StepEnd<'a>(&'a Step, &'a GripState);
-
-impl Record for StepEnd<'_> {
-    #[rustfmt::skip]
-    fn fields(of: &mut Fields<Self>) {
-        of.field("step", "the step as the scene has it", |end| end.0.to_string());
-        of.field("x_nm", "how far the grip has moved along the substrate; null where it is free", |end| end.1.x);
-        of.field("y_nm", "how far it has moved up", |end| end.1.y);
-        of.field("end_rotation_rad", "how far it has rotated", |end| end.1.rotation);
-        of.field("horizontal_force_nN", "its force along the substrate", |end| end.1.forces.horizontal);
-        of.field("vertical_force_nN", "its force upwards", |end| end.1.forces.vertical);
-        of.field("moment_nN_nm", "its moment", |end| end.1.forces.moment);
-        of.sometimes("z_nm", "in space, like the next five: how far it has moved sideways", |end| Some(end.1.in_space?.z));
-        of.sometimes("roll_deg", "its roll", |end| Some(end.1.in_space?.roll.to_degrees()));
-        of.sometimes("yaw_deg", "its yaw", |end| Some(end.1.in_space?.yaw.to_degrees()));
-        of.sometimes("lateral_force_nN", "its force sideways", |end| Some(end.1.forces.in_space?.lateral));
-        of.sometimes("torque_nN_nm", "its moment on the roll", |end| Some(end.1.forces.in_space?.torque));
-        of.sometimes("yaw_moment_nN_nm", "its moment on the yaw", |end| Some(end.1.forces.in_space?.yaw_moment));
     }
 }
 

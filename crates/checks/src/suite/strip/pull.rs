@@ -85,7 +85,7 @@ fn turned(row: &Row) -> Option<Check> {
         Err(NotPrepared { why, steps }) => (steps, Some(why)),
     };
     let direction = model.pull.direction();
-    let force = steps.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
+    let force = steps.ends.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
     let name = format!(
         "force after a rotation by {} degrees, L = {} nm",
         row.text("grip_turned_deg")?,

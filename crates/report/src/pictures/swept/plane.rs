@@ -65,7 +65,7 @@ pub(crate) fn draw_maps(
     let Some(second) = keys.second else { return Err(refuse("a map needs two keys that are varied".into())) };
     let values = [places.iter().map(|at| Some(at.0)).collect::<Vec<_>>(), places.iter().map(|at| at.1).collect()];
     for (values, (key, log)) in values.iter().zip([(keys.first, log[0]), (second, log[1])]) {
-        super::sweep::check_axis(values.iter().flatten().copied(), &key.path(), log).map_err(refuse)?;
+        crate::pictures::sweep::check_axis(values.iter().flatten().copied(), &key.path(), log).map_err(refuse)?;
     }
     if quantities.first().is_none_or(|(_, values)| values.iter().all(Option::is_none)) {
         return Err(refuse(format!("none of the {} pairs of {} has a peak force", places.len(), keys.names())));

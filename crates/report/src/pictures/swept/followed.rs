@@ -1,6 +1,5 @@
 //! The picture of a sweep that followed one point: its force, or its displacement, against the varied value.
 
-use super::sweep::{axis_of, broken, check_axis, dotted, panel};
 use crate::chart::axis::Axis;
 use crate::chart::canvas::Stroke;
 use crate::chart::output::save;
@@ -8,6 +7,7 @@ use crate::chart::panel::Line;
 use crate::chart::picture::{Heading, Picture};
 use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
+use crate::pictures::sweep::{axis_of, broken, check_axis, dotted, panel};
 use crate::writing::error::ReportError;
 use peelkit::study::{FollowedPoint, FollowedRow, FollowedSweep, PointKind};
 use std::path::{Path, PathBuf};
