@@ -39,6 +39,9 @@ pub struct Adhesion {
     /// Work that slip along the ground takes, J/m², beside a shear strength; none: that of opening
     #[serde(default)]
     pub shear_work: Option<f64>,
+    /// η of Benzeggagh and Kenane, by which a work in shear mixes with that of opening, from 1 to 8; none: the linear criterion
+    #[serde(default)]
+    pub mixing_exponent: Option<f64>,
     /// Whether a face that has opened or slipped and comes back is held as before. A cohesive law that does not heal unloads to where it was
     /// closed, and what it has taken stays spent.
     #[serde(default = "heals")]
@@ -72,6 +75,7 @@ impl Adhesion {
             strength: None,
             shear_strength: None,
             shear_work: None,
+            mixing_exponent: None,
             healing: true,
             line_load: LineLoad::Full,
             far_face: true,
@@ -89,7 +93,9 @@ impl Adhesion {
     pub(crate) fn sheared_law(&self) -> Option<ShearedLaw> {
         let law = self.attraction.law(&self.half_space(), self.work, self.strength);
         match (law, self.shear_strength) {
-            (Law::Cohesive(cohesive), Some(strength)) => Some(ShearedLaw::new(cohesive, strength, self.shear_work)),
+            (Law::Cohesive(cohesive), Some(strength)) => {
+                Some(ShearedLaw::new(cohesive, strength, self.shear_work).with_exponent(self.mixing_exponent))
+            }
             _ => None,
         }
     }

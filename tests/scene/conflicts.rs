@@ -121,6 +121,17 @@ fn a_shear_strength_is_that_of_a_strip_under_a_cohesive_law() {
     let scene = Scene::parse("a.toml", &law, &[held.clone(), tough].concat()).unwrap();
     assert_eq!(scene.model.adhesion.shear_work, Some(0.1));
     assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    let mixed = |exponent: &str| {
+        [&held[..], &set("adhesion.shear_work", "0.1 J/m2"), &set("adhesion.mixing_exponent", exponent)].concat()
+    };
+    let scene = Scene::parse("a.toml", &law, &mixed("2.3")).unwrap();
+    assert_eq!(scene.model.adhesion.mixing_exponent, Some(2.3));
+    assert_eq!(Scene::parse("a.toml", &scene.to_toml(), &[]).unwrap(), scene);
+    assert_says(
+        &shown(&law, &set("adhesion.mixing_exponent", "2.3")),
+        &["this adhesive has one work alone", "Give `shear_work"],
+    );
+    assert_says(&shown(&law, &mixed("0.9")), &["`adhesion.mixing_exponent`", "from 1e0 to 8e0"]);
     let beside = |lines: &str, what: &str| {
         assert_says(
             &shown(&format!("{law}{lines}"), &held),

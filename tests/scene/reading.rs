@@ -124,7 +124,8 @@ displacement = "0.5 um"
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
     // pretension, friction, a shear strength, a crack, layers and a law of stretch stand elsewhere: pull.rs, friction.rs, conflicts.rs, and below
     let elsewhere = |key: &Key| {
-        ["pretension", "shear_strength", "shear_work", "healing", "crack", "stretch", "layers"].contains(&key.name)
+        ["pretension", "shear_strength", "shear_work", "mixing_exponent", "healing", "crack", "stretch", "layers"]
+            .contains(&key.name)
             || key.table == "friction"
     };
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {

@@ -66,6 +66,10 @@ fn every_example_that_messages_give_is_right() {
             _ if key.name == "shear_work" => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\nshear_strength = \"0.1 GPa\"\n")
             }
+            _ if key.name == "mixing_exponent" => {
+                let law = "law = \"bilinear\"\nshear_strength = \"0.1 GPa\"\nshear_work = \"0.1 J/m2\"\n";
+                MINIMAL.replace("[adhesion]\n", &format!("[adhesion]\n{law}"))
+            }
             _ if ["work", "strength", "shear_strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
@@ -126,7 +130,8 @@ fn assert_remarks_show_defaults(name: &str) {
     let plain = Scene::parse(&path, &text, &[]).unwrap();
     assert_eq!(Scene::parse(&path, &uncommented.join("\n"), &[]).unwrap(), plain);
     let of_a_strip = |key: &Key| {
-        !["pretension", "shear_strength", "shear_work", "healing"].contains(&key.name) || plain.model.strip().is_some()
+        !["pretension", "shear_strength", "shear_work", "mixing_exponent", "healing"].contains(&key.name)
+            || plain.model.strip().is_some()
     };
     let shown = |key: &&Key| key.need == Need::Optional && key.belongs_to(&plain) && of_a_strip(key);
     for key in KEYS.iter().filter(shown) {

@@ -42,6 +42,7 @@ class Beam:
     friction: Friction | None = None
     shear_strength: float | None = None  # GPa, of a cohesive law; None: it slides
     shear_work: float | None = None      # J/m^2, of slip beside it; None: that of opening
+    mixing: float | None = None          # exponent of Benzeggagh and Kenane; None: the linear criterion
     stretching: str = "linear"             # linear | neo-hookean | neo-hookean-wide
 
     slid, share = 0.0, 0.0               # what friction remembers: x_b - S, nm, and s

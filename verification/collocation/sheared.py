@@ -8,6 +8,8 @@ that of the law alone and  E = Psi_pull C(t),  C = B - 1.  So
 With a work of slip of its own, k times that of opening, delta is that of this work, and the traction along the substrate k times as large:
     H' = b k E_w,   M' = ... + b (E_theta + (k - 1) E_w (h/2) cos theta),
 which has no potential.
+With an exponent n of Benzeggagh and Kenane all that is but Psi_push is as many times as large as
+    F = 1 + 2 (T - 1) (1 - AB),   T = (1 - m + m/k) (1 + (k - 1) m^n),   m = k q/(p + k q),   p = -ln A,   q = t^2/delta^2,   A = -Psi_pull/work.
 Where the face is just closed the stiffness of Psi_pull begins: a corner.
 """
 import math
@@ -63,7 +65,42 @@ def excess(c, z):
     rows = ((Pyy * C, Pyt * C + Py * C1 * arm, Py * C1),
             (Pyt * C + k * Py * C1 * arm, tt, Pt * C1 + k * P * C2 * arm),
             (k * Py * C1, wt, k * P * C2))
+    if c.mixing is not None and k != 1.0:
+        pulled, zero = (gradient[0] + Py, gradient[1] + Pt, gradient[2]), np.zeros_like(P)
+        slopes = ((Pyy, Pyt, zero), (Pyt, Ptt, zero), (zero, zero, zero))
+        more, (by_p, by_q) = mixed(c, -P / laws.work(c), t * t / d2)
+        # p = -ln(-P/work), q = t^2/d2
+        steep = by_p / np.where(P < 0.0, -P, 1.0)
+        change = steep * Py, steep * Pt + by_q * 2.0 * t / d2 * arm, by_q * 2.0 * t / d2
+        gradient = tuple(of + all_ * more for of, all_ in zip(gradient, pulled))
+        rows = tuple(tuple(of + (of + own) * more + pulled[i] * change[j] for j, (of, own) in enumerate(zip(rows[i], slopes[i]))) for i in range(3))
     return P * C, gradient, rows
+
+
+def mixed(c, A, q):
+    """F - 1 of what is left of the law by opening, A, and by slip, exp(-q), and its changes with p and q."""
+    k, n = ratio(c), c.mixing
+    some = A > 0.0
+    p = np.where(some, -np.log(np.where(some, np.minimum(A, 1.0), 1.0)), np.inf)
+    here = some & (p + q > 0.0)
+    p, q = np.where(here, p, 1.0), np.where(here, q, 1.0)
+    m = k * q / (p + k * q)
+    lower, upper = 1.0 - m + m / k, 1.0 + (k - 1.0) * m ** n
+    T, T1 = lower * upper, (1.0 / k - 1.0) * upper + lower * (k - 1.0) * n * m ** (n - 1.0)
+    gone, left = -np.expm1(-p - q), np.exp(-p - q)
+    by_m = 2.0 * T1 * gone * k / (p + k * q) ** 2
+    more, by_p, by_q = 2.0 * (T - 1.0) * gone, -by_m * q + 2.0 * (T - 1.0) * left, by_m * p + 2.0 * (T - 1.0) * left
+    return np.where(here, more, 0.0), (np.where(here, by_p, 0.0), np.where(here, by_q, 0.0))
+
+
+def beyond(c, z):
+    """By how much what stands in place of the gradient of E (y, theta, w) is more than that."""
+    P, Py, Pt, *_ = pull(c, z[..., 0], z[..., 1])
+    arm = 0.5 * c.height * np.cos(z[..., 1])
+    t, d2 = z[..., 4] + 0.5 * c.height * np.sin(z[..., 1]), scale(c) ** 2
+    C = np.expm1(-t * t / d2)
+    C1 = -2.0 * t / d2 * (C + 1.0)
+    return tuple(found - true for found, true in zip(excess(c, z)[1], (Py * C, Pt * C + P * C1 * arm, P * C1)))
 
 
 def field(c, z, smooth, jac):

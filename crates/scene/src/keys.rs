@@ -208,6 +208,7 @@ pub static KEYS: &[Key] = &[
     key(&ADHESION, "strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.strength), "strength of a cohesive law; else the half space's").titled("cohesive strength", "σ"),
     key(&ADHESION, "shear_strength", Optional, Kind::Bound(Pressure, |s| &mut s.model.adhesion.shear_strength), "largest shear traction; none: it slides freely").titled("shear strength of the adhesion", "τ"),
     key(&ADHESION, "shear_work", Optional, Kind::Bound(Work, |s| &mut s.model.adhesion.shear_work), "work of slip beside it; none: that of opening").titled("work of adhesion in shear", "wₜ"),
+    key(&ADHESION, "mixing_exponent", Optional, Kind::Share(Range::MIXING_EXPONENT, |s| &mut s.model.adhesion.mixing_exponent), "of Benzeggagh and Kenane; none: the linear criterion").titled("exponent of mixed modes", "η"),
     key(&ADHESION, "healing", Optional, Kind::Flag(|s| &mut s.model.adhesion.healing), "false: what has opened and closes is held less"),
     key(&ADHESION, "line_load", Optional, choice!(LINE_LOADS, "\"full\"", |s| &mut s.model.adhesion.line_load), "force and moment, force alone, or independent of rotation"),
     key(&ADHESION, "far_face", Optional, Kind::Flag(|s| &mut s.model.adhesion.far_face), "whether the attraction of the upper surface is included"),

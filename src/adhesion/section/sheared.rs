@@ -16,6 +16,16 @@
 //! and both A and B fall from one to zero, or one of them does: so G_n/w + G_t/w_t = 1, the linear criterion of mixed modes, whatever the way. Unless
 //! the works are equal there is no potential, and the tangent is not symmetric.
 //!
+//! With an exponent η both tractions are κ_e times as large,
+//!
+//!   κ_e = 1 + 2 (κ(m) - 1) (1 - AB),   κ = (1 - m + m w/w_t) (1 + (w_t/w - 1) m^η),   m = w_t q/(w p + w_t q),   p = -ln A,   q = -ln B.
+//!
+//! On a way on which q/p is constant G_t/(G_n + G_t) is m, and as the integral of 2 (1 - AB) d(AB) is one,
+//!
+//!   G_n + G_t = w + (w_t - w) m^η,
+//!
+//! the criterion of Benzeggagh and Kenane. From η = 1 to 8 κ is above a half, whatever the works, and κ_e above zero. Pure opening and pure slip are as they were, and so is the stiffness of a closed face.
+//!
 //! Where a face that lets go does not heal, both A and B remember how far it has been open and has slipped at most. Nearer than that they are
 //! parabolas, whose tractions fall in straight lines to nothing where the face is closed and has not slipped:
 //!
@@ -24,9 +34,11 @@
 //! Sources: the coupling is that of X.-P. Xu and A. Needleman, Numerical simulations of fast crack growth in brittle solids, J. Mech. Phys. Solids 42
 //! (1994), eq. (5) with q = 1 and r = 0, for a normal law of any shape and without its loss of stiffness under pressure; two works are those of
 //! M. J. van den Bosch, P. J. G. Schreurs, M. G. D. Geers, An improved description of the exponential Xu and Needleman cohesive zone law for
-//! mixed-mode decohesion, Eng. Fract. Mech. 73 (2006).
+//! mixed-mode decohesion, Eng. Fract. Mech. 73 (2006). The criterion with an exponent: M. L. Benzeggagh, M. Kenane, Measurement of mixed-mode
+//! delamination fracture toughness of unidirectional glass/epoxy composites with mixed-mode bending apparatus, Compos. Sci. Technol. 56 (1996).
 
 use super::calibrated::Cohesive;
+use super::response::LineResponse;
 use crate::number::Real;
 use crate::number::root::Bracket;
 use std::f64::consts::{E, FRAC_1_SQRT_2};
@@ -43,6 +55,8 @@ pub(crate) struct ShearedLaw {
     pub slip_scale: f64,
     /// w_t/w
     pub work_ratio: f64,
+    /// η of Benzeggagh and Kenane; none: the linear criterion
+    pub exponent: Option<f64>,
 }
 
 /// Potential and load of a section per length and width, with the tangent, by x, y and θ. The load is minus the gradient, which is that of the
@@ -71,7 +85,7 @@ pub(crate) struct Farthest<T> {
 impl ShearedLaw {
     /// That of a face that slides freely.
     pub(crate) fn sliding(cohesive: Cohesive) -> Self {
-        Self { cohesive, slip_scale: f64::INFINITY, work_ratio: 1.0 }
+        Self { cohesive, slip_scale: f64::INFINITY, work_ratio: 1.0, exponent: None }
     }
 
     /// Whether nothing holds it along the ground.
@@ -84,7 +98,13 @@ impl ShearedLaw {
         let work = cohesive.work();
         // a work that is that of opening but for its rounding is that one
         let shear_work = shear_work.filter(|own| (own / work - 1.0).abs() > SAME_WORK).unwrap_or(work);
-        Self { cohesive, slip_scale: (2.0 / E).sqrt() * shear_work / shear_strength, work_ratio: shear_work / work }
+        let (slip_scale, work_ratio) = ((2.0 / E).sqrt() * shear_work / shear_strength, shear_work / work);
+        Self { cohesive, slip_scale, work_ratio, exponent: None }
+    }
+
+    /// The same with this exponent of Benzeggagh and Kenane, from 1 to 8; none: the linear criterion. Of equal works both are the same.
+    pub(crate) fn with_exponent(self, exponent: Option<f64>) -> Self {
+        Self { exponent: exponent.filter(|_| self.work_ratio != 1.0), ..self }
     }
 
     /// w_t, nN/nm.
@@ -92,7 +112,7 @@ impl ShearedLaw {
         self.work_ratio * self.cohesive.work()
     }
 
-    /// Whether the load has a potential: where slip takes the work that opening does.
+    /// Whether the load has a potential: where slip takes the work that opening does, which leaves no exponent.
     pub(crate) fn has_potential(&self) -> bool {
         self.work_ratio == 1.0
     }
@@ -136,7 +156,7 @@ impl ShearedLaw {
         let rotation_rotation = pull.rotation_rotation * hold + (turn_along + along_rotation) * lever - along * arm
             + push.rotation_rotation;
         let (by_gap, by_rotation) = (pull.by_gap * hold + push.by_gap, pull.by_rotation * hold + push.by_rotation);
-        ShearedResponse {
+        let response = ShearedResponse {
             energy: pull.energy * hold + push.energy,
             energy_change: [by_slip, by_gap, by_rotation + by_slip * lever],
             gradient: [along, by_gap, by_rotation + along * lever],
@@ -145,8 +165,67 @@ impl ShearedLaw {
                 [gap_along, pull.gap_gap * hold + push.gap_gap, gap_rotation(gap_along)],
                 [turn_along + along_along * lever, gap_rotation(along_gap), rotation_rotation],
             ],
+        };
+        match self.exponent {
+            None => response,
+            Some(exponent) => self.mixed(exponent, response, [pull, push], [hold, slope, lever]),
         }
     }
+
+    /// The response with the tractions of what pulls κ_e times as large, B and B' at the slip of the face, whose lever is that of a rotation.
+    #[inline(always)]
+    fn mixed<T: Real>(
+        &self,
+        exponent: f64,
+        linear: ShearedResponse<T>,
+        [pull, push]: [LineResponse<T>; 2],
+        [hold, slope, lever]: [T; 3],
+    ) -> ShearedResponse<T> {
+        let zero = T::splat(0.0);
+        let per_work = -1.0 / self.cohesive.work();
+        let open = pull.energy * per_work;
+        let [factor, by_open, by_hold] =
+            open.each_pair(hold, |open, hold| mixing(exponent, self.work_ratio, [open, hold]));
+        let (by_slip, by_opening) = (by_hold * slope, by_open * per_work);
+        let change = [by_slip, by_opening * pull.by_gap, by_opening * pull.by_rotation + by_slip * lever];
+        let pushed = [zero, push.by_gap, push.by_rotation];
+        let pushed_twice =
+            [[zero; 3], [zero, push.gap_gap, push.gap_rotation], [zero, push.gap_rotation, push.rotation_rotation]];
+        let pulled: [T; 3] = std::array::from_fn(|i| linear.gradient[i] - pushed[i]);
+        ShearedResponse {
+            gradient: std::array::from_fn(|i| pulled[i] * factor + pushed[i]),
+            tangent: std::array::from_fn(|i| {
+                std::array::from_fn(|j| {
+                    (linear.tangent[i][j] - pushed_twice[i][j]) * factor + pulled[i] * change[j] + pushed_twice[i][j]
+                })
+            }),
+            ..linear
+        }
+    }
+}
+
+/// Where less than this share of a law is left, its tractions are nothing.
+const NOTHING: f64 = 1e-100;
+
+/// κ and dκ/dm.
+fn toughening(exponent: f64, ratio: f64, mode: f64) -> [f64; 2] {
+    let (linear, power) = (1.0 - mode + mode / ratio, mode.powf(exponent - 1.0));
+    let criterion = 1.0 + (ratio - 1.0) * mode * power;
+    [linear * criterion, (1.0 / ratio - 1.0) * criterion + linear * (ratio - 1.0) * exponent * power]
+}
+
+/// κ_e and its changes with A and B.
+fn mixing(exponent: f64, ratio: f64, [open, hold]: [f64; 2]) -> [f64; 3] {
+    let left = open * hold;
+    let (p, q) = (-open.min(1.0).ln(), -ratio * hold.ln());
+    let sum = p + q;
+    if !(left > NOTHING && sum > 0.0) {
+        return [1.0, 0.0, 0.0];
+    }
+    let [by_mode, gone] = [1.0 / (sum * sum), 1.0 - left];
+    let [toughening, slope] = toughening(exponent, ratio, q / sum);
+    let (excess, changing) = (2.0 * (toughening - 1.0), 2.0 * slope * gone * by_mode);
+    [1.0 + excess * gone, changing * q / open - excess * hold, -changing * ratio * p / hold - excess * open]
 }
 
 impl ShearedLaw {
@@ -197,6 +276,11 @@ mod tests {
         ShearedLaw::new(law(shape).cohesive, 0.6 * PAPER.strength(), Some(2.5 * PAPER.work_of_adhesion()))
     }
 
+    /// Of Benzeggagh and Kenane.
+    fn mixed(shape: CohesiveShape) -> ShearedLaw {
+        tough(shape).with_exponent(Some(2.3))
+    }
+
     fn at(law: &ShearedLaw, [slip, gap, rotation]: [f64; 3]) -> ShearedResponse<f64> {
         let (sin, cos) = rotation.sin_cos();
         law.response_after(HEIGHT, [slip, gap], [sin, cos], Farthest::default())
@@ -205,7 +289,7 @@ mod tests {
     /// Sixth order differences of energy and gradient, at open and pressed, turned and turned over sections.
     #[test]
     fn gradient_and_tangent_are_differences() {
-        let laws = CohesiveShape::ALL.iter().flat_map(|&shape| [law(shape), tough(shape)]);
+        let laws = CohesiveShape::ALL.iter().flat_map(|&shape| [law(shape), tough(shape), mixed(shape)]);
         for law in laws {
             let (closed, range) = (law.cohesive.closed, law.cohesive.range);
             let scales = [law.slip_scale, range, 0.1];
@@ -383,5 +467,49 @@ mod tests {
         }
         assert!(shares[0] == 0.0 && (shares[1] - 1.0).abs() < 1e-5, "{shares:?}");
         assert!(shares[2..].iter().all(|share| (0.02..0.98).contains(share)), "{shares:?}");
+    }
+
+    /// On ways of constant q/p: the works of both modes have the mode m, and meet the criterion of Benzeggagh and Kenane. Opening and slip alone take
+    /// what they take by the linear criterion, to the last bit.
+    #[test]
+    fn works_on_ways_of_one_mode_meet_the_criterion_of_benzeggagh_and_kenane() {
+        let law = mixed(CohesiveShape::Exponential);
+        let (closed, range, ratio) = (law.cohesive.closed, law.cohesive.range, law.work_ratio);
+        let linear = ShearedLaw { exponent: None, ..law };
+        for k in 0..60 {
+            let far = f64::from(k) * 0.1;
+            let [opened, slipped] = [[0.0, closed + far * range, 0.0], [far * law.slip_scale, closed, 0.0]]
+                .map(|place| (at(&law, place), at(&linear, place)));
+            assert_eq!(opened.0.gradient, opened.1.gradient);
+            assert_eq!(slipped.0.gradient, slipped.1.gradient);
+        }
+        for share in [0.05, 0.3, 0.6, 1.0, 2.0, 8.0] {
+            // p of the exponential law at an opening, and the slip whose q is so many times as large
+            let place = |opening: f64| {
+                let p = opening - opening.ln_1p();
+                [(share * p).sqrt() * law.slip_scale, closed + opening * range, 0.0]
+            };
+            let (steps, mut works) = (40_000, [0.0; 2]);
+            for k in 0..steps {
+                let [from, middle, to] =
+                    [0.0, 0.5, 1.0].map(|half| place(45.0 * (f64::from(k) + half) / f64::from(steps)));
+                let load = at(&law, middle).gradient;
+                works[0] += load[1] * (to[1] - from[1]);
+                works[1] += load[0] * (to[0] - from[0]);
+            }
+            let mode = ratio * share / (1.0 + ratio * share);
+            let expected = law.cohesive.work() * (1.0 + (ratio - 1.0) * mode.powf(2.3));
+            assert_relative_eq!(works[1] / (works[0] + works[1]), mode, epsilon = 1e-5);
+            assert_relative_eq!(works[0] + works[1], expected, max_relative = 1e-5);
+        }
+    }
+
+    /// The largest exponent that is taken: κ stays above a half, so that tractions keep their sign.
+    #[test]
+    fn tractions_keep_their_sign() {
+        let ratios = (-60..=60).map(|k| 10f64.powf(0.05 * f64::from(k)));
+        let least = ratios.flat_map(|ratio| (0..=1000).map(move |k| toughening(8.0, ratio, f64::from(k) / 1000.0)[0]));
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!((0.52..0.53).contains(&least), "{least}");
     }
 }

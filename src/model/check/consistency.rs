@@ -85,9 +85,13 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     }
 }
 
-/// That what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the
+/// That what has an exponent has two works that it can mix, that what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the
 /// contact moment and without pretension.
 fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
+    if let (Some(value), None) = (model.adhesion.mixing_exponent, model.adhesion.shear_work) {
+        let found = Measured { value, unit: "" };
+        return Err(ModelError::new("adhesion.mixing_exponent", ModelErrorKind::NothingToMix { found }));
+    }
     if model.adhesion.shear_strength.is_none() {
         let error = |value| {
             let found = Measured { value, unit: "J/m2" };

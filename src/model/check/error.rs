@@ -67,6 +67,9 @@ pub enum ModelErrorKind {
     /// A work in shear without a shear strength.
     #[error("belongs to an adhesive that holds along the substrate, and this one has no shear strength")]
     NotHeldInShear { found: Measured },
+    /// An exponent that mixes two works, without a work in shear.
+    #[error("mixes the works of opening and of slip, and this adhesive has one work alone")]
+    NothingToMix { found: Measured },
     /// Something beside what is not computed with it.
     #[error("is given beside {what}, which is not computed with {with}")]
     Beside { what: &'static str, with: &'static str },
@@ -171,6 +174,7 @@ impl ModelErrorKind {
             | Self::BesideTable { found }
             | Self::NotStretched { found }
             | Self::NotHeldInShear { found }
+            | Self::NothingToMix { found }
             | Self::NoShearStrength { found }
             | Self::FrictionOffFlatGround { found }
             | Self::FrictionBesideLaw { found }
@@ -226,6 +230,9 @@ impl ModelErrorKind {
             Self::BesideTable { .. } => "Remove it, or use another `law` than \"table\".",
             Self::NotHeldInShear { .. } => {
                 "Give `shear_strength = \"1 MPa\"` beside it under [adhesion], or remove it."
+            }
+            Self::NothingToMix { .. } => {
+                "Give `shear_work = \"300 J/m2\"` and a `shear_strength` beside it under [adhesion], or remove it."
             }
             Self::NotStretched { .. } => {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`."
@@ -306,6 +313,8 @@ impl Range {
     pub const FORCE_ZERO: Self = Self::From(-1e12, 1e12);
     /// Of Coulomb's coefficient of friction.
     pub(crate) const FRICTION_COEFFICIENT: Self = Self::From(0.0, 1e3);
+    /// Of the exponent by which works of opening and of slip mix: with these tractions keep their sign, whatever the works.
+    pub const MIXING_EXPONENT: Self = Self::From(1.0, 8.0);
     /// Of the angle of the pull, rad.
     pub const PULL_ANGLE: Self = Self::From(0.0, HALF_TURN);
     /// Of the direction of the pull along the substrate, rad.

@@ -81,6 +81,7 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("adhesion.strength", "GPa", Positive, |m| m.adhesion.strength),
     number("adhesion.shear_strength", "GPa", Positive, |m| m.adhesion.shear_strength),
     number("adhesion.shear_work", "J/m2", Positive, |m| m.adhesion.shear_work),
+    number("adhesion.mixing_exponent", "", Range::MIXING_EXPONENT, |m| m.adhesion.mixing_exponent),
 
     number("substrate.radius", "nm", Positive, |m| of_substrate(m, "radius")),
     number("substrate.height", "nm", Positive, |m| of_substrate(m, "height")),

@@ -108,6 +108,10 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
                 adhesion.shear_strength = Some(0.1);
                 adhesion.shear_work = Some(number);
             }
+            "adhesion.mixing_exponent" => {
+                (adhesion.shear_strength, adhesion.shear_work) = (Some(0.1), Some(0.1));
+                adhesion.mixing_exponent = Some(number);
+            }
             "friction.strength" => friction.strength = Some(number),
             "friction.coefficient" => friction.coefficient = number,
             "friction.presliding" => friction.presliding = Some(number),

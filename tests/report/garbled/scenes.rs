@@ -46,12 +46,12 @@ fn with_value(key: &Key, value: &str) -> String {
     let fits = |other: &&Key| fits(other) && if layered { !given(other) } else { other.name != "layers" };
     let fits = |other: &&Key| fits(other) && (other.name != "stretch" || key.name == "stretch");
     // a shear strength is refused beside much else
-    let held = ["shear_strength", "shear_work"].contains(&key.name);
+    let held = ["shear_strength", "shear_work", "mixing_exponent"].contains(&key.name);
     let fits = |other: &&Key| {
         fits(other)
             && match held {
                 true => !["pretension", "line_load", "turn"].contains(&other.name),
-                false => !["shear_strength", "shear_work"].contains(&other.name),
+                false => !["shear_strength", "shear_work", "mixing_exponent"].contains(&other.name),
             }
     };
     // nor does what does not heal go with that
@@ -128,6 +128,7 @@ fn what_is_out_of_range_is_refused_with_the_range() {
             Kind::Number(Range::Between(..), _) => (&["-0.999", "0.499"], &["-1", "0.5", "0.5000001", "-2", "1e400"]),
             Kind::Number(Range::From(0.0, _), _) => (&["0", "1000"], &["-1e-300", "1000.1", "nan"]),
             Kind::Number(Range::From(..), _) => (&["1e-11", "1e-2"], &["0.99e-11", "1.01e-2", "0", "-1e-6", "nan"]),
+            Kind::Share(Range::MIXING_EXPONENT, _) => (&["1", "8"], &["0.99", "8.01", "0", "-1", "nan"]),
             Kind::Share(..) => (&["1e-6", "0.5"], &["0.99e-6", "0.51", "0", "-0.1", "inf"]),
             Kind::Count(..) => (&["1", "12"], &["0", "-1", "1000000001", "1.5", "1e10", "nan"]),
             Kind::Fixed(8, _) => (&["1", "8"], &["0", "9", "-1", "1.5"]),

@@ -46,6 +46,7 @@ impl Row {
         grip.pretension = self.number("pretension_nN");
         adhesion.shear_strength = self.number("shear_strength_GPa").filter(|&strength| strength > 0.0);
         adhesion.shear_work = self.number("shear_work_J_per_m2");
+        adhesion.mixing_exponent = self.number("mixing_exponent");
         let holds = [("free", Hold::Free), ("fixed", Hold::Fixed)];
         let loads = [("full", LineLoad::Full), ("force-only", LineLoad::ForceOnly), ("axis-gap", LineLoad::AxisGap)];
         if let Some(word) = self.text("law") {

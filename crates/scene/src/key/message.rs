@@ -86,6 +86,7 @@ impl Key {
             ("tolerance", _) => "2e-6",
             ("relative", _) => "1e-6",
             ("order", _) => "7",
+            ("mixing_exponent", _) => "2.0",
             (_, Kind::Text(_)) => "\"Peeling of a strip\"",
             (_, Kind::Number(..)) => "1.0",
             (_, Kind::Measure(Dimension::Angle, ..) | Kind::Quantity(Dimension::Angle, _)) => "\"45 deg\"",

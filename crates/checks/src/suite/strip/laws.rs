@@ -38,6 +38,7 @@ const SHEARED: Turns = Turns {
         ("law", "", ""),
         ("shear_strength_GPa", "shear strength ", " GPa"),
         ("shear_work_J_per_m2", "work in shear ", " J/m²"),
+        ("mixing_exponent", "η = ", ""),
         ("grip_rotation", "rotation ", ""),
         ("grip_across", "normal to the pull ", ""),
         ("bending_stiffness_factor", "EI × ", ""),
