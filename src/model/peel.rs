@@ -89,6 +89,12 @@ impl Adhesion {
         LineLaw { half_space, height, law, line_load: self.line_load, far_face: self.far_face }
     }
 
+    /// The same of a face that slides.
+    #[must_use]
+    pub fn sliding(&self) -> Self {
+        Self { shear_strength: None, shear_work: None, mixing_exponent: None, ..*self }
+    }
+
     /// The law with what holds along the ground, if it has a shear strength.
     pub(crate) fn sheared_law(&self) -> Option<ShearedLaw> {
         let law = self.attraction.law(&self.half_space(), self.work, self.strength);

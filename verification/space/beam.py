@@ -111,8 +111,8 @@ def right_side(beam, z, pull):
 def linearised(beam, z):
     """Right side (13, M) at real z of shape (13, M), and its Jacobian (13, 13, M): row, column, point. Complex
     steps."""
-    pull = None
-    if beam.law is not None:
+    pull, loads = None, getattr(beam.law, "loads", None)
+    if beam.law is not None and loads is None:
         d = frame(z[3:7])
         at = np.array([z[1], d[1][1], d[2][1]])
         _, g, H = laws.with_hessian(beam.law, *at)
@@ -123,6 +123,11 @@ def linearised(beam, z):
 
     moved = z[:, None, :] + 1j * TINY * np.eye(SIZE)[:, :, None]
     f = right_side(beam, moved, pull)
+    if loads is not None:
+        _, force, moment = loads(moved)
+        for i in range(3):
+            f[7 + i] += force[i]
+            f[10 + i] += moment[i]
     return f[:, 0].real, f.imag / TINY
 
 
@@ -138,6 +143,8 @@ def adhesion(beam, z):
     """Psi along the beam."""
     if beam.law is None:
         return np.zeros(z.shape[1:])
+    if hasattr(beam.law, "loads"):
+        return beam.law.loads(z)[0]
     d = frame(z[3:7])
     return beam.law.gradient(z[1], d[1][1], d[2][1])[0]
 
@@ -145,4 +152,5 @@ def adhesion(beam, z):
 def first_integral(beam, z):
     d, _, K, slope = strains(beam, z)
     body = [dot(d[i], z[10:13]) for i in range(3)]
-    return dot(z[7:10], slope) + dot(body, K) - stored(beam, z) - adhesion(beam, z)
+    whole = dot(z[7:10], slope) + dot(body, K) - stored(beam, z) - adhesion(beam, z)
+    return whole - z[7] if hasattr(beam.law, "loads") else whole

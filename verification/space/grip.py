@@ -59,9 +59,9 @@ class Case:
     displacements_nm: str = ""
     lifts_nm: str = ""
 
-    @staticmethod
-    def of(texts):
-        return Case(**{f.name: float(texts[f.name]) if f.type is float else texts[f.name] for f in fields(Case)})
+    @classmethod
+    def of(cls, texts):
+        return cls(**{f.name: float(texts[f.name]) if f.type is float else texts[f.name] for f in fields(cls)})
 
     def section_turns(self):
         """Whether adhesion or the rest shape sees a roll of the section: not that of a disc."""
@@ -136,7 +136,8 @@ class Peel:
 
     def __init__(self, case):
         self.case = case
-        self.y0 = laws.rest_height(case.law())
+        law = case.law()
+        self.y0 = law.y0 if hasattr(law, "loads") else laws.rest_height(law)
         b = case.width_nm
         force, ell = 0.03 * b, 5.0
         self.problem = Problem(

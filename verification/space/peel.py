@@ -27,8 +27,8 @@ def weights(problem):
     return np.concatenate([np.zeros(SIZE), 1.0 / size**2, 1.0 / (3.0 * problem.par_scale) ** 2])
 
 
-def walk(peel, short=False):
-    """The points of a path: (name, state to begin with, how it is found) for everything that is sought."""
+def walk(peel, short=False, extrema=("peak", "fold")):
+    """The points of a path: (name, how it is found) for everything that is sought. What is sought at a displacement lies before the fold."""
     problem, case = peel.problem, peel.case
     st = peel.start(*COARSE)
     yield "start", lambda fine: refined(problem, st, peel.P, 0.0, fine)
@@ -36,20 +36,22 @@ def walk(peel, short=False):
     path = Walk(problem, st, peel.lift, w, 0.1, *COARSE)
     heights = {f"lift_{v:g}": (peel.lift, v + peel.y0) for v in numbers(case.lifts_nm)}
     places = {f"u_{v:g}": (peel.u, peel.u_row(v)) for v in numbers(case.displacements_nm)}
-    sought = {"peak": peel.P, "fold": peel.u}
+    sought = {name: f for name, f in (("peak", peel.P), ("fold", peel.u)) if name in extrema}
     while len(path.points) < MOST:
         lifted = path.points[-1].z[1, -1] - peel.y0
-        if short and "peak" not in sought and lifted > SHORT or not sought and not heights:
+        all_found = not sought and not heights and ("fold" in extrema or not places)
+        if short and "peak" not in sought and lifted > SHORT or all_found:
             return
         after = path.advance(largest=0.5 + lifted)
         before, tangent = path.points[-2], path.tangents[-2]
         for name in [name for name, f in sought.items() if path.turned(f)]:
             f = sought.pop(name)
             yield name, lambda fine, f=f: extremum(problem, before, after, tangent, f, w, fine)
+        before_fold = "fold" in sought or "fold" not in extrema
         for known in (places, heights):
             for name, (f, value) in list(known.items()):
                 a, b = path.value(f, -2), path.value(f, -1)
-                if (a - value) * (b - value) <= 0.0 and ("fold" in sought or known is heights):
+                if (a - value) * (b - value) <= 0.0 and (before_fold or known is heights):
                     known.pop(name)
                     near = before if abs(a - value) < abs(b - value) else after
                     yield name, lambda fine, f=f, value=value, near=near: refined(problem, near, f, value, fine)

@@ -103,7 +103,7 @@ impl Cohesive {
     }
 
     /// The same of a part of it.
-    fn levels_of(&self, part: Part, r: f64) -> [f64; 3] {
+    pub(in crate::adhesion) fn levels_of(&self, part: Part, r: f64) -> [f64; 3] {
         let per_range = 1.0 / self.range;
         let [work, s, slope] = part.at(self.shape, (r - self.closed) * per_range);
         [-self.strength * self.range * work, -self.strength * s, self.strength * per_range * slope]

@@ -25,6 +25,12 @@ pub(super) fn response(law: &Cohesive, width: f64, y: f64, a: f64, c: f64) -> Sp
     }
 }
 
+/// Of what repels alone.
+#[inline(never)]
+pub(super) fn pressed(law: &Cohesive, width: f64, y: f64, a: f64, c: f64) -> SpatialSectionResponse {
+    of_part(law, Part::Push, [width, y, a], [c, if c > 0.0 { -0.5 } else { 0.5 }])
+}
+
 /// Of a part of the law on the face whose middle is at the distance y + `along` c.
 fn of_part(law: &Cohesive, part: Part, [width, y, a]: [f64; 3], [c, along]: [f64; 2]) -> SpatialSectionResponse {
     let means = law.over_width(part, y + along * c, a.abs());
@@ -46,8 +52,8 @@ fn of_part(law: &Cohesive, part: Part, [width, y, a]: [f64; 3], [c, along]: [f64
 // are within 3e-13 of what is averaged, without its sign.
 
 /// Gauss's points above zero on [-1, 1] and their weights.
-const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];
-const WEIGHTS: [f64; 3] = [0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_34];
+pub(super) const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];
+pub(super) const WEIGHTS: [f64; 3] = [0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_34];
 
 impl Cohesive {
     /// The means over s from -1/2 to 1/2 of W_c, W_c', s W_c', W_c'', s W_c'' and s² W_c'' at r + s a, for a ≥ 0, of a part of the law.

@@ -108,6 +108,15 @@ impl SpatialSection {
         }
     }
 
+    /// The same of what repels alone, under a cohesive law; nothing under another one.
+    #[inline(always)]
+    pub(crate) fn pressed_of<T: Real>(&self, width: T, y: T, a: T, c: T) -> SpatialSectionResponse<T> {
+        each([width, T::splat(0.0), y, a, c], |[width, _, y, a, c]| match &self.form {
+            Form::Cohesive(law) => cohesive_face::pressed(law, width, y, a, c),
+            _ => SpatialSectionResponse { energy: 0.0, gradient: [0.0; 3], hessian: [0.0; 6] },
+        })
+    }
+
     /// Ψ alone, nN.
     #[inline(always)]
     pub fn energy<T: Real>(&self, y: T, a: T, c: T) -> T {

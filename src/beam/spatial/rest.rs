@@ -172,6 +172,11 @@ pub struct PlacedRest {
 }
 
 impl BranchRest {
+    /// Of a beam that stays where it is made.
+    pub(crate) fn as_made(rest: &Arc<SpatialRest>) -> Self {
+        Self::Placed(PlacedRest { rest: Arc::clone(rest), turn: [1.0, 0.0, 0.0, 0.0], origin: [0.0; 3] })
+    }
+
     /// Place (nm) and directors at S.
     pub fn at(&self, place: f64) -> ([f64; 3], Quaternion) {
         match self {

@@ -6,14 +6,14 @@
 //!   n·r' + m·K - stored - Ψ = n·d1 + m·K0 + stored - Ψ,    n_x,    n_z,    m_y + (r × n)_y
 //!
 //! are the same all along it: the density depends neither on S nor on x, z and the turn about y (Noether). The last three hold of the
-//! elements as well, to round-off; the first one holds of the exact solution, and shows the error of a mesh.
+//! elements as well, to round-off; the first one holds of the exact solution, and shows the error of a mesh. Where the adhesive holds a strip along
+//! the ground the density depends on x - S alone, and the first one less n_x is the same.
 
 use super::chain::read::normalise;
 use super::chain::spatial_chain::quaternion_of;
 use super::end_rotation::{EndRotation, angles};
-use super::rotation::{apply, cross, dot, matrix};
-use super::section::kinematics::{Kinematics, SPATIAL_FIELDS};
-use super::section::local_adhesion::LocalAdhesion;
+use super::rotation::{apply, cross, dot, matrix, normalised};
+use super::section::kinematics::SPATIAL_FIELDS;
 use super::section::spatial_profile::{SpatialProfile, Station};
 use super::spatial_beam::SpatialBeam;
 use crate::beam::grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
@@ -36,7 +36,7 @@ pub struct SpatialSectionState {
     pub stored: f64,
     /// Ψ, nN
     pub adhesion: f64,
-    /// Ψ_y e_y per length, nN/nm: x, y, z
+    /// Ψ_y e_y per length, nN/nm: x, y, z; with Ψ_x and Ψ_z where the adhesive holds along the ground
     pub line_force: [f64; 3],
     /// (b Ψ_a d2 + h Ψ_c d3) × e_y per length, nN, about x, y, z; b and h the width and the height, and a and c how far d2 and d3 rise along them
     pub line_moment: [f64; 3],
@@ -117,23 +117,18 @@ impl SpatialBeam {
     /// What a section with these fields carries.
     fn state_of(&self, place: f64, value: &[f64; SPATIAL_FIELDS], section: SpatialSectionPlace) -> SpatialSectionState {
         let density = &self.chain.density;
-        let station = density.profile.at(place);
-        let [g0, g1, g2, k0, k1, k2] = strains(&station, &section);
+        let [g0, g1, g2, k0, k1, k2] = strains(&density.profile.at(place), &section);
         let (stretch, curvature) = ([g0, g1, g2], [k0, k1, k2]);
         let stored = 0.5 * (dot(section.force, stretch) + dot(section.moment, curvature));
-        let at = Kinematics::new(value, &[0.0; SPATIAL_FIELDS]);
-        let load = density.adhesion.as_ref().map(|law| LocalAdhesion::new(law, &at, value[1], &station));
-        let load = load.unwrap_or_else(LocalAdhesion::none);
-        // turned by exp(φ/2), the quaternion changes with φ/2
-        let [_, x, y, z] = load.by_value.map(|by| 0.5 * by);
+        let load = density.load(place, value);
         SpatialSectionState {
             section,
             stretch,
             curvature,
             stored,
             adhesion: load.energy,
-            line_force: [0.0, load.by_height, 0.0],
-            line_moment: apply(&at.frame, &[x, y, z]),
+            line_force: load.force,
+            line_moment: apply(&matrix(normalised(quaternion_of(value))), &load.moment),
         }
     }
 }

@@ -142,19 +142,28 @@ impl SpatialBeam {
         self.barrier.clearance(self.nearest(at))
     }
 
-    /// Whether no part of the beam is nearer to the ground than `far`, nm.
+    /// Whether no part of the beam that is nearer to the ground than `far`, nm, is attracted any more: what holds along the ground has slipped beyond
+    /// its reach.
     pub(crate) fn is_clear(&self, at: &State, far: f64) -> bool {
-        self.lowest_points(at).all(|height| height > far)
+        let held = self.chain.density.held.as_ref();
+        let height = |place| self.chain.density.profile.outline(place)[1];
+        let has_slipped = |place, fields: &_| held.is_some_and(|held| held.has_slipped(place, height(place), fields));
+        self.sections(at).all(|(place, fields)| self.lowest(place, &fields) > far || has_slipped(place, &fields))
     }
 
     /// Heights of the lowest points of sections at the nodes and between them, from the left end on, nm.
     fn lowest_points(&self, at: &State) -> impl Iterator<Item = f64> {
+        self.sections(at).map(|(place, fields)| self.lowest(place, &fields))
+    }
+
+    /// S (nm) and the fields of sections at the nodes and between them, from the left end on.
+    fn sections(&self, at: &State) -> impl Iterator<Item = (f64, [f64; SPATIAL_FIELDS])> {
         let (configuration, order) = (self.configuration(at), self.chain.order());
         at.mesh.boundaries.windows(2).enumerate().flat_map(move |(element, pair)| {
             (0..=2 * order).map(move |k| {
                 let local = k as f64 / order as f64 - 1.0;
                 let (fields, _) = self.chain.sample(configuration, element, local);
-                self.lowest(pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), &fields)
+                (pair[0] + 0.5 * (1.0 + local) * (pair[1] - pair[0]), fields)
             })
         })
     }

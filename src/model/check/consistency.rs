@@ -85,8 +85,8 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
     }
 }
 
-/// That what has an exponent has two works that it can mix, that what has a work in shear has a strength in shear, and that what holds along the ground is a strip on flat ground in the plane, with the
-/// contact moment and without pretension.
+/// That what has an exponent has two works that it can mix, that what has a work in shear has a strength in shear, and that what holds along the ground
+/// is a strip, or is in space, where it has a potential, on flat ground, with the contact moment and without pretension.
 fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
     if let (Some(value), None) = (model.adhesion.mixing_exponent, model.adhesion.shear_work) {
         let found = Measured { value, unit: "" };
@@ -99,7 +99,14 @@ fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
         };
         return model.adhesion.shear_work.map_or(Ok(()), error);
     }
-    none_beside("adhesion.shear_strength", "a shear strength of the adhesion", &beside_law_of_face(model))
+    if let Some(value) = model.adhesion.shear_work.filter(|_| model.space.is_some() && !model.has_potential()) {
+        let found = Measured { value, unit: "J/m2" };
+        return Err(ModelError::new("adhesion.shear_work", ModelErrorKind::TwoWorksInSpace { found }));
+    }
+    let with = "a shear strength of the adhesion";
+    let no_strip = model.strip().is_none() && model.space.is_none();
+    none_beside("adhesion.shear_strength", with, &[(no_strip, "a body that is no strip, in the plane")])?;
+    none_beside("adhesion.shear_strength", with, &beside_law_of_face(model))
 }
 
 /// That what does not heal is a strip on flat ground in the plane under a cohesive law, with the contact moment and without pretension.
@@ -109,15 +116,18 @@ fn healing(model: &PeelModel) -> Result<(), ModelError> {
     }
     let is_cohesive = model.adhesion.attraction.is_cohesive();
     let with = "an adhesion that does not heal";
-    none_beside("adhesion.healing", with, &[(!is_cohesive, "a law of adhesion that is not cohesive")])?;
+    let alone = [
+        (!is_cohesive, "a law of adhesion that is not cohesive"),
+        (model.space.is_some(), "`space`"),
+        (model.strip().is_none(), "a body that is no strip"),
+    ];
+    none_beside("adhesion.healing", with, &alone)?;
     none_beside("adhesion.healing", with, &beside_law_of_face(model))
 }
 
 /// What is not computed with a face that is held along the ground, or does not heal.
-fn beside_law_of_face(model: &PeelModel) -> [(bool, &'static str); 5] {
+fn beside_law_of_face(model: &PeelModel) -> [(bool, &'static str); 3] {
     [
-        (model.strip().is_none(), "a body that is no strip"),
-        (model.space.is_some(), "`space`"),
         (!model.ground.substrate.is_flat(), "ground that is not flat"),
         (model.grip.pretension.is_some(), "`grip.pretension`"),
         (model.adhesion.line_load != LineLoad::Full, "a `line_load` that is not \"full\""),

@@ -59,7 +59,7 @@ impl PeelModel {
     pub(super) fn on_ground(&self, space: &Space, section: SpatialSection) -> BodyBranch {
         let ((width, height), length) = (self.free_end(), self.length());
         let varying = self.contour().map(|contour| Varying::new(contour, self.material()));
-        let stiffness = self.spatial_stiffness(space);
+        let (stiffness, held_law) = (self.spatial_stiffness(space), self.adhesion.sheared_law());
         let lying = LyingSection::of(&section, &stiffness);
         let LyingSection { gap_scale, process_length, .. } = lying;
         let edge = (0.36 * process_length).min(0.25 * gap_scale);
@@ -94,7 +94,7 @@ impl PeelModel {
         };
         let mesh = MeshPolicy { kind: MeshKind::Moving, front_foci, edge_foci, fixed_foci, pieces };
         BodyBranch {
-            sections: Arc::new(AdheringSections { profile, law: section, lying }),
+            sections: Arc::new(AdheringSections { profile, law: section, held: held_law, lying }),
             rest: Arc::new(rest),
             length,
             mesh: Arc::new(mesh),

@@ -8,9 +8,10 @@ use crate::adhesion::spatial_section::section::{SectionShape, SpatialSection};
 use crate::beam::mesh::MeshPolicy;
 use crate::beam::spatial::chain::spatial_chain::{SpatialChain, SpatialEnd};
 use crate::beam::spatial::end_rotation::EndRotation;
-use crate::beam::spatial::rest::{ALONG_X, SpatialRest};
+use crate::beam::spatial::rest::{ALONG_X, BranchRest, SpatialRest};
 use crate::beam::spatial::section::branch_sections::AdheringSections;
 use crate::beam::spatial::section::density::SpatialDensity;
+use crate::beam::spatial::section::held_sections::HeldSections;
 use crate::beam::spatial::section::lying_section::LyingSection;
 use crate::beam::spatial::section::spatial_profile::SpatialStiffness;
 use crate::beam::spatial::spatial_beam::SpatialBeam;
@@ -27,11 +28,12 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 impl PeelModel {
     /// The model in the plane whose solution is the same, of a model in space whose solution stays in the body's vertical plane: one
     /// whose adhesion is that of a rectangle, that is pulled within it, in one direction or the other, and that no step has moved out of
-    /// it before.
+    /// it before. What is held along the ground is computed in the plane where it is a strip alone.
     pub fn in_the_plane(&self) -> Option<Self> {
         let space = self.space?;
         let leaves = self.steps.iter().any(|step| step.motion().is_some_and(|(moved, _)| moved.leaves_plane()));
-        if leaves || space.section != SectionShape::Rectangle || space.azimuth.sin().abs() > ROUNDED {
+        let in_space_alone = self.adhesion.shear_strength.is_some() && self.strip().is_none();
+        if leaves || in_space_alone || space.section != SectionShape::Rectangle || space.azimuth.sin().abs() > ROUNDED {
             return None;
         }
         let mut model = Self { space: None, ..self.clone() };
@@ -75,6 +77,7 @@ impl PeelModel {
     ) -> Result<BeamProblem, NoSuchOrder> {
         how.check().map_err(|_| NoSuchOrder { order: how.order })?;
         let BodyBranch { sections, rest, length, mesh } = self.on_ground(space, section);
+        let held = sections.held.map(|law| HeldSections { law, rest: BranchRest::as_made(&rest) });
         let (AdheringSections { profile, lying, .. }, rest) =
             (Arc::unwrap_or_clone(sections), Arc::unwrap_or_clone(rest));
         let LyingSection { gap_scale, process_length, .. } = lying;
@@ -86,7 +89,7 @@ impl PeelModel {
         let rotation = if angles { EndRotation::Angles } else { EndRotation::Free };
         let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };
         let ends = [end(AXES, EndRotation::Angles), end(self.pull_axes(space), rotation)];
-        let density = SpatialDensity { profile, adhesion: Some(section) };
+        let density = SpatialDensity { profile, adhesion: Some(section), held };
         let beam = SpatialBeam {
             chain: SpatialChain::new(density, how.order, ends, self.held_left(space)),
             length,
@@ -123,8 +126,10 @@ impl PeelModel {
         let (width, height) = self.free_end();
         let disc = space.section == SectionShape::Ellipse && width == height;
         let held = |holds: bool| holds.then_some(0.0);
-        let yaw = space.yaw == Hold::Free && space.lateral == Hold::Free;
-        [Some(0.0), None, Some(0.0), None, held(yaw), held(disc && space.roll == Hold::Free)]
+        // what is held along the ground holds the free end
+        let slides = self.adhesion.shear_strength.is_none();
+        let yaw = slides && space.yaw == Hold::Free && space.lateral == Hold::Free;
+        [held(slides), None, held(slides), None, held(yaw), held(disc && space.roll == Hold::Free)]
     }
 
     fn spatial_grip(&self, space: &Space, beam: &SpatialBeam) -> EndConditions {

@@ -22,7 +22,7 @@ fn beam() -> SpatialBeam {
     let rest = SpatialRestCurve { start: [0.0; 3], directors: PLAIN, curvature: [0.0; 3] };
     let stiffness = SpatialStiffness::diagonal(1e4, [1e4; 2], 500.0, [500.0, 400.0]);
     let end = || SpatialEnd { axes: XYZ, rotation: EndRotation::Free, rest: PLAIN, dead_load: NO_LOAD };
-    let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness, 1.0, 1.0), adhesion: None };
+    let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness, 1.0, 1.0), adhesion: None, held: None };
     SpatialBeam {
         chain: SpatialChain::new(density, 5, [end(), end()], [None; 6]),
         inertia: Some(SpatialInertia::uniform(1.0, [20.0, 10.0, 8.0], Viscosity::Elastic)),

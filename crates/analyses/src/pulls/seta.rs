@@ -144,7 +144,7 @@ const FIRST_STEP: f64 = 0.1;
 
 /// The seta of a scene whose spatulae are beams, or why there is none.
 pub fn of_beams(scene: &Scene, table: &SetaTable) -> Result<SetaOfBeams, String> {
-    let spatula = scene.tip_model().branch().map_err(|error| format!("a tip cannot be a beam in space: {error}"))?;
+    let spatula = scene.tip_in_space().branch().map_err(|error| format!("a tip cannot be a beam in space: {error}"))?;
     let Choice { order, elements, .. } = scene.accuracy.choice;
     let mesh = SetaMesh { order: order.unwrap_or(BEAM_ORDER), ..SetaMesh::usual(table.seta.levels()) };
     Ok(SetaOfBeams { seta: table.seta.clone(), mesh, spatula, elements: elements.unwrap_or(BEAM_ELEMENTS) })

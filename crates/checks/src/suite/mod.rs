@@ -30,6 +30,7 @@ pub const TOPICS: &[Topic] = &[
     strip::out_of_plane::TOPIC,
     space::strips::TOPIC,
     space::grip::TOPIC,
+    space::held::TOPIC,
     ground::TOPIC,
     solid::TOPIC,
     toe::TOPIC,

@@ -46,8 +46,11 @@ pub fn seta(
     let of_tip = tip_peak(tip);
     let events = TipEvents::of(pull_off.events.iter().map(|event| &event.tips[..]));
     let of_beams = scene.seta.as_ref().is_some_and(|table| table.tip_law == SetaTipLaw::Beam);
-    let (law, alone) =
-        if of_beams { ("tips", "spatulae that are beams; one alone in the plane: ") } else { ("law of a tip", "") };
+    let (law, alone) = match (of_beams, scene.model.adhesion.shear_strength) {
+        (false, _) => ("law of a tip", ""),
+        (true, None) => ("tips", "spatulae that are beams; one alone in the plane: "),
+        (true, Some(_)) => ("tips", "spatulae that are beams, held along the ground; one that slides: "),
+    };
     let mut lines = vec![
         ("seta", format!("{counted}, {} elements of order {order}", pull_off.effort.elements)),
         (law, format!("{alone}peak {of_tip:.6} nN, snaps off at {:.4} nm", tip.snap_off())),

@@ -11,11 +11,11 @@ use crate::value::table::beside;
 use array::ArrayTable;
 use bounds::BoundsTable;
 use peelkit::beam::Material;
-use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Strip, StripModel};
+use peelkit::model::{Adhesion, Body, Grip, Hold, ModelError, PeelModel, Space, Strip, StripModel};
 use peelkit::study::{self, Accuracy, EventAt, PeelQuantity, SetaTimeAccuracy, StationAt};
 use peelkit::units::PreferredUnits;
 use rate::TimeTable;
-use seta::SetaTable;
+use seta::{SetaTable, SetaTipLaw};
 use solid::SolidTable;
 use std::path::{Path, PathBuf};
 use studies::{FitTable, OptimisationTable, UncertaintyTable};
@@ -194,10 +194,20 @@ impl Scene {
     }
 
     /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the
-    /// tips is computed of.
+    /// tips is computed of. Spatulae that are beams are held along the ground in space alone: this one slides.
     pub fn tip_model(&self) -> PeelModel {
         let grip = Grip { rotation: Hold::Fixed, ..Grip::FREE };
-        PeelModel::of(self.model.body.clone(), self.model.adhesion, grip)
+        let adhesion = if self.has_tips_of_beams() { self.model.adhesion.sliding() } else { self.model.adhesion };
+        PeelModel::of(self.model.body.clone(), adhesion, grip)
+    }
+
+    /// The same in space, with what holds it along the ground.
+    pub fn tip_in_space(&self) -> PeelModel {
+        PeelModel { adhesion: self.model.adhesion, space: Some(Space::default()), ..self.tip_model() }
+    }
+
+    fn has_tips_of_beams(&self) -> bool {
+        self.seta.as_ref().is_some_and(|seta| seta.tip_law == SetaTipLaw::Beam)
     }
 
     /// Whether values fit one another that are right by themselves: else the key that does not, and why.
@@ -206,6 +216,7 @@ impl Scene {
             // an array has no beam of its own
             None if self.array.is_some() => Ok(()),
             None => study::checked(&self.model, &self.accuracy),
+            Some(_) if self.has_tips_of_beams() => study::checked(&self.tip_in_space(), &self.accuracy),
             Some(_) => study::checked(&self.tip_model(), &self.accuracy),
         }
     }

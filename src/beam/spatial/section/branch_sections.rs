@@ -4,11 +4,14 @@
 //! by how far the lowest point of their section is from one that lies there, as those of [`crate::beam::SpatialBeam`].
 
 use super::density::SpatialDensity;
+use super::held_sections::HeldSections;
 use super::kinematics::SPATIAL_FIELDS;
 use super::lying_section::LyingSection;
 use super::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
 use crate::adhesion::section::barrier::Barrier;
+use crate::adhesion::section::sheared::ShearedLaw;
 use crate::adhesion::spatial_section::section::{SectionShape, SpatialSection};
+use crate::beam::spatial::rest::BranchRest;
 use crate::beam::spatial::rotation::{matrix, normalised};
 use std::sync::Arc;
 
@@ -28,6 +31,8 @@ pub struct AdheringSections {
     pub profile: SpatialProfile,
     /// The law
     pub law: SpatialSection,
+    /// What holds them along the ground as well, where they lie without stress; none: they slide
+    pub(crate) held: Option<ShearedLaw>,
     /// The section at S = 0 as it lies on the ground
     pub lying: LyingSection,
 }
@@ -61,14 +66,18 @@ pub(in crate::beam::spatial) fn lowest(
 }
 
 impl BranchSections {
-    /// What is integrated along a branch with this curvature at rest.
-    pub(in crate::beam::spatial) fn density(&self, rest_curvature: [f64; 3]) -> Arc<SpatialDensity> {
+    /// What is integrated along a branch with this configuration at rest.
+    pub(in crate::beam::spatial) fn density(&self, rest: &BranchRest) -> Arc<SpatialDensity> {
         let density = match self {
             Self::Uniform(stiffness) => {
-                let station = Station { stiffness: stiffness.0, rest_curvature, width: 0.0, height: 0.0 };
-                SpatialDensity { profile: SpatialProfile::Uniform(Box::new(station)), adhesion: None }
+                let station =
+                    Station { stiffness: stiffness.0, rest_curvature: rest.curvature(), width: 0.0, height: 0.0 };
+                SpatialDensity { profile: SpatialProfile::Uniform(Box::new(station)), adhesion: None, held: None }
             }
-            Self::Adhering(own) => SpatialDensity { profile: own.profile.clone(), adhesion: Some(own.law) },
+            Self::Adhering(own) => {
+                let held = own.held.map(|law| HeldSections { law, rest: rest.clone() });
+                SpatialDensity { profile: own.profile.clone(), adhesion: Some(own.law), held }
+            }
         };
         Arc::new(density)
     }
@@ -81,11 +90,11 @@ impl BranchSections {
         }
     }
 
-    /// Whether elements of two branches may be computed side by side.
+    /// Whether elements of two branches may be computed side by side: not where each is held at a place of its own.
     pub(in crate::beam::spatial) fn is_alike(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Uniform(one), Self::Uniform(other)) => one == other,
-            (Self::Adhering(one), Self::Adhering(other)) => Arc::ptr_eq(one, other),
+            (Self::Adhering(one), Self::Adhering(other)) => Arc::ptr_eq(one, other) && one.held.is_none(),
             _ => false,
         }
     }

@@ -15,10 +15,12 @@
 //!
 //! and Rᵀ e_y as Γ with γ = 0. Source: J. C. Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Eng. 49 (1985).
 
+use super::held_sections::{HeldSections, LocalHold};
 use super::kinematics::SPATIAL_FIELDS;
 use super::kinematics::{Kinematics, turned_twice};
 use super::local_adhesion::LocalAdhesion;
-use super::spatial_profile::SpatialProfile;
+use super::spatial_profile::{SpatialProfile, Station};
+use crate::adhesion::spatial_section::response::SpatialSectionResponse;
 use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::beam::element::energy_density::{Coupling, MEMORY, Point, PointResponse};
 use crate::beam::element::integrand::{Integrand, PointEnergy, PointGradient};
@@ -37,6 +39,18 @@ pub struct SpatialDensity {
     pub profile: SpatialProfile,
     /// What adheres its sections to the flat ground y = 0; nothing of a beam on its own.
     pub adhesion: Option<SpatialSection>,
+    /// What holds them along the ground as well, under a cohesive law; nothing where they slide
+    pub held: Option<HeldSections>,
+}
+
+/// What the adhesion of a section exerts on the ground.
+pub(crate) struct AdhesionLoad {
+    /// Ψ, nN
+    pub energy: f64,
+    /// Per length, along x, y and z, nN/nm
+    pub force: [f64; 3],
+    /// Per length, about the directors, nN
+    pub moment: [f64; 3],
 }
 
 /// Section forces and moments C ε, and the energy.
@@ -210,6 +224,47 @@ impl SpatialDensity {
         out
     }
 
+    /// What the adhesion of a section at S with these fields exerts on the ground.
+    pub(crate) fn load(&self, place: f64, value: &[f64; SPATIAL_FIELDS]) -> AdhesionLoad {
+        let station = self.profile.at(place);
+        let at = Kinematics::new(value, &[0.0; SPATIAL_FIELDS]);
+        let local = self
+            .adhesion
+            .as_ref()
+            .map(|law| LocalAdhesion::of(&self.section_response(law, value[1], &at, &station), &at, &station));
+        let local = local.unwrap_or_else(LocalAdhesion::none);
+        let mut load = AdhesionLoad { energy: local.energy, force: [0.0, local.by_height, 0.0], moment: [0.0; 3] };
+        let mut by_turn = local.by_value;
+        if let Some(held) = self.holding() {
+            let pull = held.pull(place, [value[0], value[1], value[2]], &at, &station);
+            load.energy += pull.energy;
+            (0..3).for_each(|i| load.force[i] += pull.by_place[i]);
+            (0..4).for_each(|i| by_turn[i] += pull.by_value[i]);
+        }
+        // turned by exp(φ/2), the quaternion changes with φ/2
+        load.moment = [1, 2, 3].map(|i| 0.5 * by_turn[i]);
+        load
+    }
+
+    /// What holds along the ground where anything adheres.
+    fn holding(&self) -> Option<&HeldSections> {
+        self.held.as_ref().filter(|_| self.adhesion.is_some())
+    }
+
+    /// What adheres a section whose axis is at the height y, nm: what repels alone where what pulls holds along the ground too.
+    #[inline(always)]
+    fn section_response<T: Real>(
+        &self,
+        law: &SpatialSection,
+        y: T,
+        at: &Kinematics<T>,
+        station: &Station<T>,
+    ) -> SpatialSectionResponse<T> {
+        let (b, h, up) = (station.width, station.height, at.frame[1]);
+        let (a, c) = (b * up[1], h * up[2]);
+        if self.held.is_some() { law.pressed_of(b, y, a, c) } else { law.response_of([b, h], y, a, c) }
+    }
+
     /// The same into a response that was zero or one of a beam in space: what never couples stays zero.
     #[inline(always)]
     fn respond_into<T: Real>(
@@ -232,7 +287,7 @@ impl SpatialDensity {
         let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
         let to_field = at.basis();
         let adhesion = match &self.adhesion {
-            Some(law) => LocalAdhesion::new(law, &at, value[1], &station),
+            Some(law) => LocalAdhesion::of(&self.section_response(law, value[1], &at, &station), &at, &station),
             None => LocalAdhesion::none(),
         };
         out.energy = stored + adhesion.energy;
@@ -251,6 +306,20 @@ impl SpatialDensity {
             out.value_value[1][3 + i] = mixed[i];
             out.value_value[3 + i][1] = mixed[i];
             out.coverage_by_value[3 + i] = covered[i];
+        }
+        // responses may be those of other branches before
+        for i in [0, 2] {
+            (out.by_value[i], out.coverage_by_value[i]) = (T::splat(0.0), T::splat(0.0));
+        }
+        if let Some(held) = self.holding() {
+            let pull = held.pull(place, [value[0], value[1], value[2]], &at, &station);
+            add_hold(&pull, &to_field, out);
+            for i in 0..4 {
+                value_gradient[i] = value_gradient[i] + pull.by_value[i];
+                for j in 0..4 {
+                    value_value[i][j] = value_value[i][j] + pull.value_value[i][j];
+                }
+            }
         }
         let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
         let by_place = apply(&at.frame, &on_stretch);
@@ -285,6 +354,34 @@ impl SpatialDensity {
     }
 }
 
+/// Adds what holds to energy, coverage and what goes with the place. All of the adhesion is counted.
+#[inline(always)]
+fn add_hold<T: Real>(pull: &LocalHold<T>, to_field: &[[T; 4]; 4], out: &mut PointResponse<T, SPATIAL_FIELDS>) {
+    out.energy = out.energy + pull.energy;
+    out.adhesion = out.adhesion + pull.energy;
+    out.coverage = out.coverage + pull.energy;
+    (out.by_value[0], out.by_value[2]) = (pull.by_place[0], pull.by_place[2]);
+    out.by_value[1] = out.by_value[1] + pull.by_place[1];
+    let turned = apply(to_field, &pull.by_value);
+    for i in 0..3 {
+        let height = if i == 1 { out.coverage_by_value[1] } else { T::splat(0.0) };
+        out.coverage_by_value[i] = height + pull.by_place[i];
+        let mixed = apply(to_field, &pull.place_value[i]);
+        for j in 0..3 {
+            let known = if i == 1 && j == 1 { out.value_value[1][1] } else { T::splat(0.0) };
+            out.value_value[i][j] = known + pull.place_place[i][j];
+        }
+        for k in 0..4 {
+            let known = if i == 1 { out.value_value[1][3 + k] } else { T::splat(0.0) };
+            out.value_value[i][3 + k] = known + mixed[k];
+            out.value_value[3 + k][i] = out.value_value[i][3 + k];
+        }
+    }
+    for k in 0..4 {
+        out.coverage_by_value[3 + k] = out.coverage_by_value[3 + k] + turned[k];
+    }
+}
+
 /// What couples: y and the quaternion by adhesion, the quaternion with all slopes, and all slopes with one another.
 const COUPLING: Coupling<SPATIAL_FIELDS> = {
     let (mut value_value, mut value_slope, mut slope_slope) = ([[false; 7]; 7], [[false; 7]; 7], [[true; 7]; 7]);
@@ -302,9 +399,12 @@ const COUPLING: Coupling<SPATIAL_FIELDS> = {
     Coupling { value_value, value_slope, slope_slope }
 };
 
+/// Where the adhesion holds along the ground the place couples with it.
+const HELD: Coupling<SPATIAL_FIELDS> = Coupling { value_value: [[true; 7]; 7], ..COUPLING };
+
 impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
     fn coupling(&self) -> Coupling<SPATIAL_FIELDS> {
-        COUPLING
+        if self.holding().is_some() { HELD } else { COUPLING }
     }
 
     fn has_border(&self) -> bool {

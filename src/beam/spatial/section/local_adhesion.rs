@@ -2,7 +2,7 @@
 
 use super::kinematics::{Kinematics, turned_twice};
 use super::spatial_profile::Station;
-use crate::adhesion::spatial_section::section::SpatialSection;
+use crate::adhesion::spatial_section::response::SpatialSectionResponse;
 use crate::number::Real;
 
 /// Adhesion at a point: energy, the derivatives by y and (α, ω), and what the front is counted by.
@@ -36,13 +36,12 @@ impl<T: Real> LocalAdhesion<T> {
         }
     }
 
-    /// At the height of the axis, nm.
+    /// Of the response of a section.
     #[inline(always)]
-    pub(crate) fn new(law: &SpatialSection, at: &Kinematics<T>, height: T, station: &Station<T>) -> Self {
+    pub(crate) fn of(response: &SpatialSectionResponse<T>, at: &Kinematics<T>, station: &Station<T>) -> Self {
         let zero = T::splat(0.0);
         let up = at.frame[1];
         let (b, h) = (station.width, station.height);
-        let response = law.response_of([b, h], height, b * up[1], h * up[2]);
         let [by_y, by_a, by_c] = response.gradient;
         let [yy, ya, yc, aa, ac, cc] = response.hessian;
         // how a and c change with ω: 2 (e × ω) along d2 and d3

@@ -35,7 +35,7 @@ impl BranchingBeam {
         let mut branches = Vec::with_capacity(self.branches.len());
         for (b, own) in self.branches.iter().enumerate() {
             branches.push(TreeBranch {
-                density: own.sections.density(own.rest.curvature()),
+                density: own.sections.density(&own.rest),
                 adhering: own.sections.adhering().cloned(),
                 joints: own.joints,
                 near: topology.near[b],
@@ -206,7 +206,7 @@ const LOOKED_AT: usize = 8;
 
 /// Whether its stiffness is positive definite, and its curve finite, at a few places.
 fn is_stiff(branch: &Branch) -> bool {
-    let density = branch.sections.density(branch.rest.curvature());
+    let density = branch.sections.density(&branch.rest);
     (0..=LOOKED_AT).map(|k| branch.length * k as f64 / LOOKED_AT as f64).all(|place| {
         let Station { stiffness, rest_curvature, .. } = density.profile.at(place);
         let (start, directors) = branch.rest.at(place);

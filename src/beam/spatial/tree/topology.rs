@@ -80,10 +80,12 @@ pub(super) fn schedule(branches: &[Branch], topology: &Topology) -> Vec<TreeBund
     }
     let are_alike = |a: usize, b: usize| {
         let (one, other) = (&branches[a], &branches[b]);
-        depths[a] == depths[b]
-            && one.mesh.is_alike(&other.mesh)
-            && one.sections.is_alike(&other.sections)
-            && one.rest.curvature() == other.rest.curvature()
+        let sections_are = || {
+            one.mesh.is_alike(&other.mesh)
+                && one.sections.is_alike(&other.sections)
+                && one.rest.curvature() == other.rest.curvature()
+        };
+        a == b || depths[a] == depths[b] && sections_are()
     };
     let inward: Vec<usize> = topology.outward.iter().rev().copied().collect();
     let (mut bundles, mut rest) = (Vec::new(), &inward[..]);

@@ -182,6 +182,9 @@ fn spatial(beam: &SpatialBeam, at: &State) -> f64 {
     let Some(rest_curvature) = beam.uniform_rest_curvature() else { return 0.0 };
     let sections = at_ends(at).map(|elements| beam.end_states(at, elements));
     let integrals: Vec<_> = sections.iter().flatten().map(|section| section.integrals(rest_curvature)).collect();
+    if beam.chain.density.held.is_some() {
+        return range(integrals.iter().map(|at| at.energy - at.force[0]));
+    }
     let along = |k: usize| range(integrals.iter().map(|at| at.force[k]));
     (range(integrals.iter().map(|at| at.energy)) - along(0) - along(1)).max(0.0)
 }

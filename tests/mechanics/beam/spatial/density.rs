@@ -87,6 +87,7 @@ fn agrees(adheres: bool, most: f64) {
         let density = SpatialDensity {
             profile: SpatialProfile::Uniform(Box::new(station)),
             adhesion: adheres.then_some(section),
+            held: None,
         };
         let (energy, gradient, tangent) = hessian(|v: SVector<Dual, 14>| definition(&station, adheres, &v), &v.into());
         let part = |from: usize| std::array::from_fn(|k| v[from + k]);

@@ -82,8 +82,11 @@ impl Strip {
         let end = |axes, rotation| SpatialEnd { axes, rotation, rest: ALONG_X, dead_load: [[0.0; 3]; 2] };
         let rest = [0.0, height, 0.0, 0.0, 0.0, 0.0];
         let held = std::array::from_fn(|f| self.held[f].then_some(rest[f]));
-        let density =
-            SpatialDensity { profile: SpatialProfile::uniform(stiffness, b, HEIGHT), adhesion: Some(section) };
+        let density = SpatialDensity {
+            profile: SpatialProfile::uniform(stiffness, b, HEIGHT),
+            adhesion: Some(section),
+            held: None,
+        };
         let ends = [end(XYZ, EndRotation::Angles), end(self.axes, self.rotation)];
         SpatialBeam {
             chain: SpatialChain::new(density, 7, ends, held),

@@ -60,7 +60,7 @@ impl Rod {
         let rest = [x, y, z, 0.0, 0.0, 0.0];
         let held = std::array::from_fn(|f| self.held_left[f].then_some(rest[f]));
         SpatialBeam {
-            chain: SpatialChain::new(SpatialDensity { profile, adhesion: None }, self.order, ends, held),
+            chain: SpatialChain::new(SpatialDensity { profile, adhesion: None, held: None }, self.order, ends, held),
             length: self.length,
             rest: self.rest.into(),
             scale: [0.01 * self.length, 0.01],

@@ -10,16 +10,17 @@
 //! Reference: the beam in space, which is another implementation of chain, mesh and solver interface; central differences; for two strips that
 //! are joined twice the peak of one, because by symmetry each is pulled along the normal with its end held upright. Parameters: the default spatula
 //! and the paper's strip, elements of orders 3 and 7. Expected: energy, residual and the length that adheres are the same to round-off;
-//! derivatives agree with differences to their own error, on branches that are turned too; the first limit point of the force is the same to 1e-6.
+//! derivatives agree with differences to their own error, on branches that are turned too, and where the adhesive holds them along the ground; the first limit point of the force is the same to 1e-6.
 
 use super::tangents::{add_turn, dense, difference};
 use approx::assert_relative_eq;
 use nalgebra::DVector;
+use peelkit::adhesion::CohesiveShape;
 use peelkit::beam::rotation::{Quaternion, apply, exponential, matrix};
 use peelkit::beam::{
     BeamTree, Branch, BranchMesh, BranchRest, BranchSections, BranchingBeam, JointCondition, PlacedRest, TreeMonitor,
 };
-use peelkit::model::{Body, BodyBranch, Form, Grip, Hold, PeelModel, Space, Spatula, StripModel};
+use peelkit::model::{Attraction, Body, BodyBranch, Form, Grip, Hold, PeelModel, Space, Spatula, StripModel};
 use peelkit::solve::{
     EndConditions, Held, InitialState, LimitPointKind, MeasuredBeside, Path, PathEvent, PathMeasure, PathOptions,
     PathTracer, Problem, RelaxOptions, State, System, TraceOptions, Workspace, relax,
@@ -33,6 +34,14 @@ const UP: [[f64; 3]; 3] = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
 
 fn spatula() -> PeelModel {
     Spatula::default().model()
+}
+
+/// Under a cohesive law that holds it along the ground as well.
+fn held_spatula() -> PeelModel {
+    let mut model = spatula();
+    model.adhesion.attraction = Attraction::Cohesive(CohesiveShape::Exponential);
+    model.adhesion.shear_strength = Some(0.02);
+    model
 }
 
 /// A body from a joint at its free end to joint 0, turned, with that end at the origin of the ground.
@@ -60,7 +69,16 @@ fn spread(k: usize) -> f64 {
 
 #[test]
 fn a_spatula_as_a_branch_is_the_beam_in_space() {
-    let model = PeelModel { space: Some(Space::default()), ..spatula() };
+    is_the_beam_in_space(spatula());
+}
+
+#[test]
+fn one_that_is_held_is_too() {
+    is_the_beam_in_space(held_spatula());
+}
+
+fn is_the_beam_in_space(spatula: PeelModel) {
+    let model = PeelModel { space: Some(Space::default()), ..spatula };
     let problem = model.problem(Form::TwoField, 7).unwrap();
     let tree = tree(vec![placed(&model.branch().unwrap(), 1, AS_IT_IS, 32)], 7);
     let tree = tree.with_monitors([Some(TreeMonitor::AdheringLength), None]);
@@ -89,7 +107,16 @@ fn a_spatula_as_a_branch_is_the_beam_in_space() {
 
 #[test]
 fn derivatives_are_those_of_the_energy() {
-    let body = spatula().branch().unwrap();
+    have_the_derivatives_of_the_energy(&spatula());
+}
+
+#[test]
+fn those_of_what_is_held_are_too() {
+    have_the_derivatives_of_the_energy(&held_spatula());
+}
+
+fn have_the_derivatives_of_the_energy(spatula: &PeelModel) {
+    let body = spatula.branch().unwrap();
     let turned = |angle: f64| exponential([0.0, angle, 0.0]);
     let branches = vec![placed(&body, 1, turned(0.4), 6), placed(&body, 2, turned(-2.0), 6)];
     let monitors = [TreeMonitor::AdheringLength, TreeMonitor::PadsAside].map(Some);

@@ -52,7 +52,8 @@ fn one_branch_is_a_chain_bit_for_bit() {
             rest: beam.branches[0].rest.at(0.0).1,
             dead_load: [[0.0; 3]; 2],
         };
-        let density = SpatialDensity { profile: SpatialProfile::uniform(stiffness(1), 0.0, 0.0), adhesion: None };
+        let density =
+            SpatialDensity { profile: SpatialProfile::uniform(stiffness(1), 0.0, 0.0), adhesion: None, held: None };
         let tip = &beam.conditions[0];
         let chain = SpatialChain::new(density, order, [end(tip), end(tip)], tip.held);
         let (fields, angles) = as_chain(&at);

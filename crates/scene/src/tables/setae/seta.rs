@@ -80,6 +80,13 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
         let remedy = "The keys of [seta] with their ranges are listed by `peel keys seta`.";
         return Some((format!("{TABLE}.{key}"), ValueError::new(format!("cannot be computed: {error}"), remedy)));
     }
+    if let (Some(_), SetaTipLaw::Beam, Some(_)) = (table.preload, table.tip_law, scene.model.adhesion.shear_strength) {
+        let problem = ValueError::new(
+            "is given, and spatulae that are held along the ground adhere where they lie at the start",
+            "Remove `preload`, or remove `shear_strength` under [adhesion]: the spatulae slide then.",
+        );
+        return Some((format!("{TABLE}.preload"), problem));
+    }
     if let Some((key, problem)) = problem_of_tips(table) {
         return Some((format!("{TABLE}.{key}"), problem));
     }

@@ -1,0 +1,104 @@
+"""A cohesive law that holds a strip along the ground as well, in every direction, and the peel of such a strip.
+
+The bonded face's point at s b d2 from the middle of its width, s from -1/2 to 1/2, has been displaced by
+    d(s) = (r - r0) + (R - R0) l(s),   l = s b e2 - (h/2) e3,   r0 = (S, y0, 0),   R0 = [e_x, -e_z, e_y],
+from where it was bonded. With t^2 = d_x^2 + d_z^2 its slip and d_y its opening,
+    psi = W_pull(d_y) exp(-t^2/delta^2) + W_push(d_y),   W = -sigma range (1 + o) exp(1 - o),   o = d_y/range,
+the exponential law with what attracts an open face and what repels a pressed one; range = w/(sigma e), and delta = (2/e)^(1/2) w/tau. So
+    n' = b int grad psi ds,   m' = -r' x n + b int (R l) x grad psi ds,
+by Gauss's rule. Nothing holds the end at S = 0. First integral: that of a strip that slides, less n_x.
+"""
+
+from dataclasses import dataclass, replace
+from math import e, sqrt
+
+import numpy as np
+
+from .beam import Beam, cross, frame
+from .grip import Case, Peel
+
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(24)
+POINTS, WEIGHTS = 0.5 * POINTS, 0.5 * WEIGHTS
+
+
+@dataclass(frozen=True)
+class Held:
+    """The law on a strip of this width and height; `places`: S of the points at which it is asked."""
+
+    width: float
+    height: float
+    strength: float
+    work: float
+    shear_strength: float
+    y0: float
+    places: object = None
+    r0: float = 0.0
+
+    def at(self, places):
+        return replace(self, places=np.asarray(places))
+
+    def density(self, d):
+        """psi and its gradient, of displacements [x, y, z]."""
+        span, delta = self.work / (self.strength * e), sqrt(2.0 / e) * self.work / self.shear_strength
+        o = d[1] / span
+        whole, rise = -self.strength * span * (1.0 + o) * np.exp(1.0 - o), self.strength * o * np.exp(1.0 - o)
+        is_open = np.real(o) > 0.0
+        pull, by_pull = np.where(is_open, whole, -self.work), np.where(is_open, rise, 0.0)
+        push, by_push = np.where(is_open, 0.0, whole + self.work), np.where(is_open, 0.0, rise)
+        hold = np.exp(-(d[0] ** 2 + d[2] ** 2) / delta**2)
+        along = -2.0 / delta**2 * pull * hold
+        return pull * hold + push, (along * d[0], by_pull * hold + by_push, along * d[2])
+
+    def loads(self, z):
+        """Psi, and the force and the moment per length on the ground."""
+        d = frame(z[3:7])
+        places = self.places.reshape((1,) * (z[0].ndim - self.places.ndim) + self.places.shape)
+        axis = [z[0] - places, z[1] - self.y0, z[2]]
+        energy, force, moment = 0.0, [0.0] * 3, [0.0] * 3
+        rest = ((0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
+        for s, weight in zip(POINTS, WEIGHTS):
+            side, down = s * self.width, -0.5 * self.height
+            arm = [side * d[1][i] + down * d[2][i] for i in range(3)]
+            at = [axis[i] + arm[i] - side * rest[0][i] - down * rest[1][i] for i in range(3)]
+            psi, f = self.density(at)
+            turn = cross(arm, f)
+            energy = energy + weight * self.width * psi
+            for i in range(3):
+                force[i] = force[i] + weight * self.width * f[i]
+                moment[i] = moment[i] + weight * self.width * turn[i]
+        return energy, force, moment
+
+    def lowest(self, e2, e3):
+        return -np.inf
+
+
+@dataclass(frozen=True)
+class HeldBeam(Beam):
+    """A uniform beam under such a law."""
+
+    def at(self, S):
+        return replace(self, law=self.law.at(S))
+
+
+@dataclass(frozen=True)
+class HeldCase(Case):
+    """A row of space_held_cases.csv; lengths in nm."""
+
+    work_J_m2: float = 0.03
+    strength_GPa: float = 0.01
+    shear_strength_GPa: float = 0.01
+
+    def law(self):
+        y0 = 0.5 * self.height_nm
+        return Held(self.width_nm, self.height_nm, self.strength_GPa, self.work_J_m2, self.shear_strength_GPa, y0)
+
+    def beam(self):
+        free = super().beam()
+        return HeldBeam(self.length_nm, free.soft, free.pliant, self.law())
+
+
+class HeldPeel(Peel):
+    """Its boundary value problem: no force and no moment at S = 0."""
+
+    def conditions(self, a, b, par):
+        return [*a[7:13], *super().conditions(a, b, par)[6:]]
