@@ -36,6 +36,7 @@ pub use spatial::rest::{ALONG_X, BranchRest, PlacedRest, RestOutline, SpatialRes
 pub use spatial::rotation;
 pub use spatial::section::branch_sections::{AdheringSections, BranchSections};
 pub use spatial::section::density::SpatialDensity;
+pub use spatial::section::held_sections::HeldSections;
 pub use spatial::section::lying_section::LyingSection;
 pub use spatial::section::spatial_profile::{SpatialProfile, SpatialStiffness, Station};
 pub use spatial::section::strain_memory::SpatialKnownStrains;

@@ -81,6 +81,14 @@ impl SpatialSection {
         &self.law
     }
 
+    /// The law of its bonded face, if that is cohesive.
+    pub(crate) fn cohesive(&self) -> Option<&Cohesive> {
+        match &self.form {
+            Form::Cohesive(law) => Some(law),
+            _ => None,
+        }
+    }
+
     /// Ψ with gradient and Hessian at the height y of the axis and the rises a and c of width and height, nm.
     ///
     /// The lowest point of the section lies above the half space: y > (|a| + |c|)/2, of an ellipse y > √(a² + c²)/2.

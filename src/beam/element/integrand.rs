@@ -58,12 +58,16 @@ pub trait Integrand<const F: usize>: Send + Sync {
         _out: &mut [F64x4],
     ) {
     }
-    /// [`EnergyDensity::knots`]; without any, neither of the next two is asked.
+    /// [`EnergyDensity::knots`]; without any, neither of the next three is asked.
     fn knots(&self) -> &'static [f64] {
         &[]
     }
-    /// [`EnergyDensity::opening`]
-    fn opening(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY]) -> f64 {
+    /// Places across a section whose openings are looked at: of one that is tilted across its width both edges
+    fn edges(&self) -> usize {
+        1
+    }
+    /// [`EnergyDensity::opening`], at one of the edges
+    fn opening(&self, _place: f64, _value: [f64; F], _memory: [f64; MEMORY], _edge: usize) -> f64 {
         0.0
     }
     /// [`EnergyDensity::adhesion_response`]
@@ -137,7 +141,7 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
         EnergyDensity::knots(self)
     }
 
-    fn opening(&self, place: f64, value: [f64; F], memory: [f64; MEMORY]) -> f64 {
+    fn opening(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], _edge: usize) -> f64 {
         EnergyDensity::opening(self, place, value, memory)
     }
 

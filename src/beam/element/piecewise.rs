@@ -17,7 +17,7 @@ use super::basis::PerNode;
 use super::integration::{Element, Integration, PiecePoint, memory_of};
 use crate::number::F64x4;
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
-use crate::solve::frontal::nodes::{MOST_NODES, Nodes, slot};
+use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
 
 /// Most cuts of an element; what is behind them is one piece.
 const MOST_CUTS: usize = 16;
@@ -63,7 +63,8 @@ impl<const F: usize> Element<f64, F> {
         if knots.is_empty() {
             return;
         }
-        let mut cuts = self.cuts(by, knots);
+        let mut cuts = Cuts::new();
+        (0..density.edges()).for_each(|edge| self.cut(by, knots, edge, &mut cuts));
         if cuts.count == 1 {
             return;
         }
@@ -84,14 +85,13 @@ impl<const F: usize> Element<f64, F> {
         }
     }
 
-    /// Where the opening passes a knot, looked for between neighbouring nodes.
-    fn cuts(&self, by: &Integration<impl Nodes, F>, knots: &[f64]) -> Cuts {
+    /// Adds where the opening of an edge passes a knot, looked for between neighbouring nodes.
+    fn cut(&self, by: &Integration<impl Nodes, F>, knots: &[f64], edge: usize, cuts: &mut Cuts) {
         let &Integration { nodes, basis, density, history, .. } = by;
         let count = nodes.count();
-        let mut cuts = Cuts::new();
         let opening = |local: f64, fields: [f64; F]| {
             let place = self.from + 0.5 * (1.0 + local) * self.length;
-            density.opening(place, fields, memory_of(history, place))
+            density.opening(place, fields, memory_of(history, place), edge)
         };
         let mut openings = [0.0; MOST_NODES];
         for rank in 0..count {
@@ -106,7 +106,6 @@ impl<const F: usize> Element<f64, F> {
                 cuts.add(crossing((place(rank - 1), from - knot), (place(rank), to - knot), beyond));
             }
         }
-        cuts
     }
 
     /// Fields at shape functions.
@@ -119,6 +118,45 @@ impl<const F: usize> Element<f64, F> {
             }
         }
         sum
+    }
+}
+
+impl<const F: usize> Element<F64x4, F> {
+    /// One of the four.
+    pub(crate) fn lane(&self, l: usize) -> Element<f64, F> {
+        Element {
+            values: self.values.map(|node| node.map(|value| value.0[l])),
+            from: self.from.0[l],
+            length: self.length.0[l],
+            memories: self.memories.map(|point| point.map(|value| value.0[l])),
+            axial_multiplier: self.axial_multiplier,
+        }
+    }
+
+    /// [`Element::energy`] with what the pieces of a law with knots differ by.
+    #[inline(always)]
+    pub(crate) fn energy_in_pieces(
+        &self,
+        by: &Integration<impl Nodes, F>,
+        direction: &[[F64x4; F]; MOST_NODES],
+    ) -> [F64x4; 3] {
+        let mut sums = self.energy(by, direction);
+        if !by.density.knots().is_empty() {
+            for l in 0..BUNDLE {
+                self.lane(l).piecewise(by, |PiecePoint { response: r, shape, weight }| {
+                    let mut turned = 0.0;
+                    for a in 0..by.nodes.count() {
+                        for f in 0..F {
+                            turned += r.coverage_by_value[f] * shape[a] * direction[a][f].0[l];
+                        }
+                    }
+                    for (sum, part) in sums.iter_mut().zip([r.energy, r.coverage, turned]) {
+                        sum.0[l] += weight * part;
+                    }
+                });
+            }
+        }
+        sums
     }
 }
 

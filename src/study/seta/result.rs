@@ -146,6 +146,9 @@ impl SetaPullOff {
 pub struct SetaMoment {
     /// On the root along the direction of the step, nN
     pub force: f64,
+    /// On the root along x, y and z, nN
+    #[serde(default)]
+    pub on_root: [f64; 3],
     /// How far the root has moved in the step, nm
     pub displacement: f64,
     /// Tips that adhere
@@ -154,7 +157,12 @@ pub struct SetaMoment {
 
 impl From<&SetaState> for SetaMoment {
     fn from(SetaState { point, .. }: &SetaState) -> Self {
-        Self { force: point.force_along, displacement: point.displacement, attached: point.attached }
+        Self {
+            force: point.force_along,
+            on_root: point.force,
+            displacement: point.displacement,
+            attached: point.attached,
+        }
     }
 }
 

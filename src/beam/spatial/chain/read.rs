@@ -22,7 +22,7 @@ impl SpatialChain {
             self.gather(nodes, at, first, &mut bundle);
             let mut changes = no_values::<N>();
             gather_nodes(nodes, &change, (first, elements), &mut changes);
-            for (sum, part) in sums.iter_mut().zip(bundle.energy(&by, &changes)) {
+            for (sum, part) in sums.iter_mut().zip(bundle.energy_in_pieces(&by, &changes)) {
                 *sum += part.0[..BUNDLE.min(elements - first)].iter().sum::<f64>();
             }
         }

@@ -8,7 +8,7 @@ use crate::number::F64x4;
 use crate::solve::frontal::eliminate::FrontalFactors;
 use crate::solve::frontal::end_block::Carry;
 use crate::solve::frontal::forest::Forest;
-use crate::solve::frontal::nodes::Nodes;
+use crate::solve::frontal::nodes::{BUNDLE, Nodes};
 use std::sync::Arc;
 
 /// Room for four elements.
@@ -69,7 +69,17 @@ impl SpatialRoom {
         let Self { bundle, fields, responses } = self;
         let (energy, coverage) = bundle.integrate_gradient::<false>(by, weight, responses, fields);
         products.assemble(by.nodes, by.basis, &by.coupling, bundle, responses, fields);
+        let mut energies = [energy, coverage];
+        if !by.density.knots().is_empty() {
+            for l in 0..BUNDLE {
+                bundle.lane(l).piecewise(by, |point| {
+                    energies[0].0[l] += point.weight * point.response.energy;
+                    energies[1].0[l] += point.weight * point.response.coverage;
+                    fields.add_piece(by.nodes, l, point, weight, true);
+                });
+            }
+        }
         project(by.nodes, fields, &bundle.values, front);
-        [energy, coverage]
+        energies
     }
 }

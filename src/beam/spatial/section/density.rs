@@ -25,7 +25,7 @@ use crate::adhesion::spatial_section::section::SpatialSection;
 use crate::beam::element::energy_density::{Coupling, MEMORY, Point, PointResponse};
 use crate::beam::element::integrand::{Integrand, PointEnergy, PointGradient};
 use crate::beam::spatial::rotation::{
-    Matrix3, apply, cross, dot, multiply, multiply_by_transposed, multiply_transposed, skew,
+    Matrix3, apply, cross, dot, matrix, multiply, multiply_by_transposed, multiply_transposed, normalised, skew,
 };
 use crate::number::{F64x4, Real};
 
@@ -265,6 +265,50 @@ impl SpatialDensity {
         if self.held.is_some() { law.pressed_of(b, y, a, c) } else { law.response_of([b, h], y, a, c) }
     }
 
+    /// Adds the adhesion to an energy, and to derivatives by (α, ω); what goes with the place is set in the response.
+    #[inline(always)]
+    fn adhere<T: Real>(
+        &self,
+        (place, value): (T, &[T; SPATIAL_FIELDS]),
+        (at, station, to_field): (&Kinematics<T>, &Station<T>, &[[T; 4]; 4]),
+        (value_gradient, value_value): (&mut [T; 4], &mut [[T; 4]; 4]),
+        out: &mut PointResponse<T, SPATIAL_FIELDS>,
+    ) {
+        let adhesion = match &self.adhesion {
+            Some(law) => LocalAdhesion::of(&self.section_response(law, value[1], at, station), at, station),
+            None => LocalAdhesion::none(),
+        };
+        out.energy = out.energy + adhesion.energy;
+        out.adhesion = adhesion.energy;
+        out.coverage = adhesion.coverage;
+        out.by_value[1] = adhesion.by_height;
+        out.value_value[1][1] = adhesion.height_height;
+        out.coverage_by_value[1] = adhesion.coverage_by_height;
+        let (mixed, covered) = (apply(to_field, &adhesion.height_value), apply(to_field, &adhesion.coverage_by_value));
+        for i in 0..4 {
+            value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
+            for j in 0..4 {
+                value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
+            }
+            out.value_value[1][3 + i] = mixed[i];
+            out.value_value[3 + i][1] = mixed[i];
+            out.coverage_by_value[3 + i] = covered[i];
+        }
+        // responses may be those of other branches before
+        for i in [0, 2] {
+            (out.by_value[i], out.coverage_by_value[i]) = (T::splat(0.0), T::splat(0.0));
+        }
+        let Some(held) = self.holding() else { return };
+        let pull = held.pull(place, [value[0], value[1], value[2]], at, station);
+        add_hold(&pull, to_field, out);
+        for i in 0..4 {
+            value_gradient[i] = value_gradient[i] + pull.by_value[i];
+            for j in 0..4 {
+                value_value[i][j] = value_value[i][j] + pull.value_value[i][j];
+            }
+        }
+    }
+
     /// The same into a response that was zero or one of a beam in space: what never couples stays zero.
     #[inline(always)]
     fn respond_into<T: Real>(
@@ -286,41 +330,9 @@ impl SpatialDensity {
         let tangent = LocalTangent::new(&at, &station.stiffness, n, m);
         let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
         let to_field = at.basis();
-        let adhesion = match &self.adhesion {
-            Some(law) => LocalAdhesion::of(&self.section_response(law, value[1], &at, &station), &at, &station),
-            None => LocalAdhesion::none(),
-        };
-        out.energy = stored + adhesion.energy;
-        out.adhesion = adhesion.energy;
-        out.coverage = adhesion.coverage;
-        out.by_value[1] = adhesion.by_height;
-        out.value_value[1][1] = adhesion.height_height;
-        out.coverage_by_value[1] = adhesion.coverage_by_height;
-        let (mixed, covered) =
-            (apply(&to_field, &adhesion.height_value), apply(&to_field, &adhesion.coverage_by_value));
-        for i in 0..4 {
-            value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
-            for j in 0..4 {
-                value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
-            }
-            out.value_value[1][3 + i] = mixed[i];
-            out.value_value[3 + i][1] = mixed[i];
-            out.coverage_by_value[3 + i] = covered[i];
-        }
-        // responses may be those of other branches before
-        for i in [0, 2] {
-            (out.by_value[i], out.coverage_by_value[i]) = (T::splat(0.0), T::splat(0.0));
-        }
-        if let Some(held) = self.holding() {
-            let pull = held.pull(place, [value[0], value[1], value[2]], &at, &station);
-            add_hold(&pull, &to_field, out);
-            for i in 0..4 {
-                value_gradient[i] = value_gradient[i] + pull.by_value[i];
-                for j in 0..4 {
-                    value_value[i][j] = value_value[i][j] + pull.value_value[i][j];
-                }
-            }
-        }
+        out.energy = stored;
+        let by_turn = (&mut value_gradient, &mut value_value);
+        self.adhere((place, value), (&at, &station, &to_field), by_turn, out);
         let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
         let by_place = apply(&at.frame, &on_stretch);
         let place_place = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_stretch), &at.frame);
@@ -413,6 +425,44 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
 
     fn is_symmetric(&self) -> bool {
         true
+    }
+
+    /// Where a face that is held closes the law has a corner as well: what repels does not depend on the slip.
+    fn knots(&self) -> &'static [f64] {
+        let Some(law) = self.adhesion.as_ref().and_then(SpatialSection::cohesive) else { return &[] };
+        if self.held.is_some() { law.shape.knots_of_parts() } else { law.shape.knots() }
+    }
+
+    fn edges(&self) -> usize {
+        2
+    }
+
+    fn opening(&self, place: f64, value: [f64; SPATIAL_FIELDS], _: [f64; MEMORY], edge: usize) -> f64 {
+        let Some(law) = self.adhesion.as_ref().and_then(SpatialSection::cohesive) else { return 0.0 };
+        let [_, y, _, turn @ ..] = value;
+        let [width, height] = self.profile.outline(place);
+        let [_, [_, aside, up], _] = matrix(normalised(turn));
+        let side = if edge == 0 { -0.5 } else { 0.5 };
+        (y - 0.5 * height * up + side * width * aside - law.closed) / law.range
+    }
+
+    fn adhesion_response(
+        &self,
+        place: f64,
+        value: [f64; SPATIAL_FIELDS],
+        _: [f64; MEMORY],
+    ) -> PointResponse<f64, SPATIAL_FIELDS> {
+        let (station, at) = (self.profile.at(place), Kinematics::new(&value, &[0.0; SPATIAL_FIELDS]));
+        let (to_field, mut out) = (at.basis(), PointResponse::zero());
+        let (mut gradient, mut hessian) = ([0.0; 4], [[0.0; 4]; 4]);
+        self.adhere((place, &value), (&at, &station, &to_field), (&mut gradient, &mut hessian), &mut out);
+        let gradient = apply(&to_field, &gradient);
+        let hessian = multiply_by_transposed(&multiply(&to_field, &hessian), &to_field);
+        for i in 0..4 {
+            out.by_value[3 + i] = gradient[i];
+            out.value_value[3 + i][3..].copy_from_slice(&hessian[i]);
+        }
+        out
     }
 
     fn respond(

@@ -182,7 +182,7 @@ impl BeamTree {
         let by = self.integration(self.count(), branch);
         for first in (0..branch.elements).step_by(BUNDLE) {
             self.gather(at, &self.lanes_of(branch, first), &mut bundle);
-            let [_, coverage, _] = bundle.energy(&by, &no_values::<N>());
+            let [_, coverage, _] = bundle.energy_in_pieces(&by, &no_values::<N>());
             sum += coverage.0[..BUNDLE.min(branch.elements - first)].iter().sum::<f64>();
         }
         sum

@@ -42,7 +42,7 @@ impl BeamTree {
         for own in self.bundles.iter() {
             let lanes = self.lanes(own);
             self.gather(at, &lanes, &mut bundle);
-            let [total, coverage, _] = bundle.energy(&self.integration(nodes, lanes[0].0), &no_values::<N>());
+            let [total, coverage, _] = bundle.energy_in_pieces(&self.integration(nodes, lanes[0].0), &no_values::<N>());
             energy += total.0[..own.count].iter().sum::<f64>();
             if let Some(sections) = &lanes[0].0.adhering {
                 adhering += coverage.0[..own.count].iter().sum::<f64>() / sections.lying.energy;

@@ -213,14 +213,15 @@ impl Run<'_> {
         let work = StepCurve::interpolated(segment, label, to).work();
         let scale = before.energy.abs().max(point.energy.abs());
         // what the energy does not gain is an error of the interpolation, where the step is long
-        let is_rough = (work - (point.energy - before.energy)).abs() > ROUGH * scale;
-        point.work += match is_rough {
-            true => StepCurve::pieces((stretch.problem, scale), segment, label, to, &mut self.ws)
-                .iter()
-                .map(StepCurve::work)
-                .sum::<f64>(),
-            false => work,
-        };
+        let gained = point.energy - before.energy;
+        let miss = |work: &f64| (work - gained).abs();
+        let mut works = vec![work];
+        if miss(&work) > ROUGH * scale {
+            let pieces = StepCurve::pieces((stretch.problem, scale), segment, label, to, &mut self.ws);
+            works.push(pieces.iter().map(StepCurve::work).sum());
+        }
+        // a state in between may be found on another branch
+        point.work += works.into_iter().min_by(|a, b| miss(a).total_cmp(&miss(b))).unwrap_or(work);
         let state = self.push(to, point, location);
         let from = self.before_peak(drive, stretch.well_before());
         self.keep_peak(&state, Some(from));

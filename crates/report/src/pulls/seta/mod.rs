@@ -3,6 +3,7 @@
 pub(crate) mod animation;
 mod curve;
 mod load_map;
+mod locus;
 pub(crate) mod motion;
 pub(crate) mod names;
 pub(crate) mod picture;

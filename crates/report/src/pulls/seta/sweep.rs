@@ -1,6 +1,7 @@
 //! A sweep of setae: its rows, sweep.csv, the same as one object, and the picture.
 use crate::chart::picture::Heading;
 use crate::chart::style::colour;
+use crate::pulls::seta::locus::draw_locus;
 use crate::pulls::seta::names::end_word;
 use crate::pulls::swept_pulls::{Quantity, draw_swept_pulls};
 use crate::records::of_many::sweep::{SweepSummary, write_swept};
@@ -39,10 +40,16 @@ impl Record for SetaRow {
         of.field("value", "the value of the key that was varied", |row| row.value);
         of.sometimes("value_2", "of the second key, where two are varied", |row| row.second);
         of.field("peak_force_nN", "the largest force on the root along the pull", |row| row.of(|found| Some(found.peak?.force)));
+        of.field("peak_force_x_nN", "of the force on the root there, along x", |row| row.of(|found| Some(found.peak?.on_root[0])));
+        of.field("peak_force_y_nN", "along y, off the ground", |row| row.of(|found| Some(found.peak?.on_root[1])));
+        of.field("peak_force_z_nN", "along z", |row| row.of(|found| Some(found.peak?.on_root[2])));
         of.field("peak_displacement_nm", "how far the root has moved there in the pull", |row| row.of(|found| Some(found.peak?.displacement)));
         of.field("peak_tips_attached", "tips that adhere there", |row| row.of(|found| Some(found.peak?.attached)));
         of.field("mesh_error_nN", "by how much the peak force differs from that with elements one order lower; empty where no finer mesh came to it", |row| row.of(|found| found.mesh_error));
         of.field("first_detachment_force_nN", "force just before the first detachment of a tip in the pull", |row| row.of(|found| Some(found.first_detachment?.force)));
+        of.field("first_detachment_force_x_nN", "of the force on the root there, along x", |row| row.of(|found| Some(found.first_detachment?.on_root[0])));
+        of.field("first_detachment_force_y_nN", "along y, off the ground", |row| row.of(|found| Some(found.first_detachment?.on_root[1])));
+        of.field("first_detachment_force_z_nN", "along z", |row| row.of(|found| Some(found.first_detachment?.on_root[2])));
         of.field("first_detachment_displacement_nm", "how far the root has moved there", |row| row.of(|found| Some(found.first_detachment?.displacement)));
         of.field("last_detachment_force_nN", "force just before the last one", |row| row.of(|found| Some(found.last_detachment?.force)));
         of.field("last_detachment_displacement_nm", "how far the root has moved there", |row| row.of(|found| Some(found.last_detachment?.displacement)));
@@ -101,7 +108,8 @@ const QUANTITIES: [Quantity<SetaResult>; 3] = [
 ];
 
 /// Draws `sweep.svg` and `sweep.png` into `dir`: of one key the peak force, the tips that adhere there and the work of the root against its values,
-/// of two keys maps of peak force and work, on logarithmic axes where `log` is set.
+/// of two keys maps of peak force and work, on logarithmic axes where `log` is set. Where a seta pulls along the ground, `locus.svg` and `locus.png`
+/// have the force there and off the ground.
 ///
 /// Fails where no value has a peak, a value has no place on a logarithmic axis ([`ReportError::Draw`]), or a file cannot be written
 /// ([`ReportError::Write`]).
@@ -112,5 +120,8 @@ pub fn draw_swept_setae<'h>(
     heading: impl Into<Heading<'h>>,
     log: [bool; 2],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), heading.into(), log)
+    let heading = heading.into();
+    let mut files = draw_swept_pulls(dir, keys, rows, (&QUANTITIES, "has a peak force"), heading, log)?;
+    files.extend(draw_locus(dir, keys, rows, heading)?);
+    Ok(files)
 }
