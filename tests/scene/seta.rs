@@ -63,6 +63,15 @@ fn spatulae_that_are_beams_take_no_key_of_a_law() {
     ] {
         refused(&with(line), &[], message);
     }
+    let held = with("").replace("[adhesion]\n", "[adhesion]\nlaw = \"exponential\"\nshear_strength = \"20 MPa\"\n");
+    let scene = parse(&held);
+    assert_eq!(scene.tip_in_space().adhesion.shear_strength, Some(0.02));
+    assert_eq!(scene.tip_model().adhesion.shear_strength, None);
+    let pressed = held.replace("[seta]", "[seta]\npreload = \"1 nN\"");
+    refused(&pressed, &[], "spatulae that are held along the ground adhere where they lie at the start");
+    refused(&held.replace("law = \"exponential\"\n", ""), &[], "belongs to a cohesive law");
+    let by_curve = held.replace("tip_law = \"beam\"", "tip_law = \"curve\"");
+    refused(&by_curve, &[], "is given beside a body that is no strip, in the plane");
     let timed = format!("{}[time]\nrate = \"1 mm/s\"\ndensity = \"0 kg/m3\"\n", with(""));
     refused(&timed, &[], "a seta whose spatulae are beams is not followed in time");
 }

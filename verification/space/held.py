@@ -6,7 +6,7 @@ from where it was bonded. With t^2 = d_x^2 + d_z^2 its slip and d_y its opening,
     psi = W_pull(d_y) exp(-t^2/delta^2) + W_push(d_y),   W = -sigma range (1 + o) exp(1 - o),   o = d_y/range,
 the exponential law with what attracts an open face and what repels a pressed one; range = w/(sigma e), and delta = (2/e)^(1/2) w/tau. So
     n' = b int grad psi ds,   m' = -r' x n + b int (R l) x grad psi ds,
-by Gauss's rule. Nothing holds the end at S = 0. First integral: that of a strip that slides, less n_x.
+by Gauss's rule on both sides of where the face just closes, at which the law has a corner. Nothing holds the end at S = 0. First integral: that of a strip that slides, less n_x.
 """
 
 from dataclasses import dataclass, replace
@@ -17,8 +17,7 @@ import numpy as np
 from .beam import Beam, cross, frame
 from .grip import Case, Peel
 
-POINTS, WEIGHTS = np.polynomial.legendre.leggauss(24)
-POINTS, WEIGHTS = 0.5 * POINTS, 0.5 * WEIGHTS
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(14)
 
 
 @dataclass(frozen=True)
@@ -56,16 +55,22 @@ class Held:
         axis = [z[0] - places, z[1] - self.y0, z[2]]
         energy, force, moment = 0.0, [0.0] * 3, [0.0] * 3
         rest = ((0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
-        for s, weight in zip(POINTS, WEIGHTS):
-            side, down = s * self.width, -0.5 * self.height
-            arm = [side * d[1][i] + down * d[2][i] for i in range(3)]
-            at = [axis[i] + arm[i] - side * rest[0][i] - down * rest[1][i] for i in range(3)]
-            psi, f = self.density(at)
-            turn = cross(arm, f)
-            energy = energy + weight * self.width * psi
-            for i in range(3):
-                force[i] = force[i] + weight * self.width * f[i]
-                moment[i] = moment[i] + weight * self.width * turn[i]
+        down = -0.5 * self.height
+        # where the energy is continuous a corner that moves adds on one side what it takes from the other
+        middle, slope = np.real(axis[1] + down * (d[2][1] - 1.0)), np.real(self.width * d[1][1])
+        corner = np.clip(-middle / np.where(slope == 0.0, 1e-300, slope), -0.5, 0.5)
+        for low, high in ((-0.5, corner), (corner, 0.5)):
+            for point, weight in zip(POINTS, WEIGHTS):
+                side = self.width * (0.5 * (low + high) + 0.5 * (high - low) * point)
+                share = self.width * 0.5 * (high - low) * weight
+                arm = [side * d[1][i] + down * d[2][i] for i in range(3)]
+                at = [axis[i] + arm[i] - side * rest[0][i] - down * rest[1][i] for i in range(3)]
+                psi, f = self.density(at)
+                turn = cross(arm, f)
+                energy = energy + share * psi
+                for i in range(3):
+                    force[i] = force[i] + share * f[i]
+                    moment[i] = moment[i] + share * turn[i]
         return energy, force, moment
 
     def lowest(self, e2, e3):

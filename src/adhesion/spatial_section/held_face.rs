@@ -6,7 +6,7 @@
 //!   Ψ_pull = b ∫ W_pull(r) B(t) ds,   B(t) = exp(-t²/δ_t²),   t² = x² + z².
 //!
 //! Its derivatives by p and e are the means of ∇ψ and s ∇ψ, of ∇∇ψ, s ∇∇ψ and s² ∇∇ψ, ψ = W_pull B. They are taken by Gauss's rule of six points
-//! between the corners of the law, in pieces over which ψ changes little: what is left out is below 1e-9 of each, and 1e-13 of most.
+//! between the corners of the law, in pieces over which ψ changes little: what is left out is below 1e-10 of each.
 
 use super::cohesive_face::{POINTS, WEIGHTS};
 use crate::adhesion::section::calibrated::Part;
@@ -15,6 +15,8 @@ use crate::number::Real;
 
 /// How far a face opens, in ranges of the law, or slips, in slip scales, over one piece at most.
 const PIECE: f64 = 0.5;
+/// A change of less, over [`PIECE`], takes one piece even where a corner of the law is rounded, which is a tenth of a range.
+const SMALL: f64 = 0.05;
 /// Square of the slip over δ_t beyond which nothing is left of B: e⁻⁴⁰ is 4e-18.
 const FAR: f64 = 40.0;
 /// Opening, in ranges, beyond which nothing is left of a law that does not end at a corner.
@@ -60,7 +62,8 @@ fn at_one(law: &ShearedLaw, middle: [f64; 3], across: [f64; 3]) -> [f64; MEANS] 
     let corners = knots.map(|opening| (cohesive.closed + cohesive.range * opening - middle[1]) / across[1]);
     let mut from = low;
     for to in corners.filter(|place| *place > low && *place < high).chain([high]) {
-        let pieces = (pace * (to - from)).ceil().max(1.0);
+        let change = pace * (to - from);
+        let pieces = change.ceil().max(if change > SMALL { 2.0 } else { 1.0 });
         let half = 0.5 * (to - from) / pieces;
         for piece in 0..pieces as usize {
             let center = from + half * (2.0 * piece as f64 + 1.0);
@@ -172,7 +175,7 @@ mod tests {
                     }
                     let found = at_one(&law, middle, across);
                     for k in 0..MEANS {
-                        let (off, most) = ((found[k] - sums[k]).abs(), 1e-9 * sizes[k] + 1e-15);
+                        let (off, most) = ((found[k] - sums[k]).abs(), 1e-10 * sizes[k] + 1e-15);
                         assert!(off <= most, "mean {k} of {shape:?} at {tilt}, {turn}, {lowest}: {off:e}, {most:e}");
                     }
                 }

@@ -20,7 +20,7 @@ use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
 
 /// Most cuts of an element; what is behind them is one piece.
-const MOST_CUTS: usize = 16;
+const MOST_CUTS: usize = 32;
 /// Most looks for a cut, and how near to its knot, in ranges of the law, it has to be.
 const MOST_LOOKS: usize = 30;
 const NEAR: f64 = 1e-9;

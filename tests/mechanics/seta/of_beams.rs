@@ -15,8 +15,9 @@
 //! go first, forces within 3 %, and work that balances to 5e-5; the peak of a finer mesh within 1e-4, that of a pressed seta, whose mesh is another, within 3e-5; stations where
 //! their numbers are; what is resumed the same to the last bit. The iterations are pinned.
 
+use peelkit::adhesion::CohesiveShape;
 use peelkit::model::{
-    Adhesion, Body, Grip, PeelModel, Seta, SetaMesh, SetaModel, SetaOfBeams, Sideways, Spatula, TipLaw,
+    Adhesion, Attraction, Body, Grip, PeelModel, Seta, SetaMesh, SetaModel, SetaOfBeams, Sideways, Spatula, TipLaw,
 };
 use peelkit::solve::{Pace, PathOptions};
 use peelkit::study::coarsening::{CoarseningOptions, GrowingTable, PadEnd, TipRange, coarsen, pull_off_by_table};
@@ -121,6 +122,24 @@ fn a_seta_that_is_pressed_on_is_pulled_off_as_one_that_adheres() {
     let before = pressed.points.iter().rfind(|point| point.step == 0).unwrap();
     assert!((before.force_along - 1.0).abs() < 1e-8, "{before:?}");
     assert!(pressed.effort.newton_iterations < 9000, "{:?}", pressed.effort);
+}
+
+/// Pads that slide hold 6.8 nN, and nothing along the ground.
+#[test]
+fn pads_that_are_held_carry_shear_and_hold_more() {
+    let mut spatula = Spatula::default().model();
+    spatula.adhesion.attraction = Attraction::Cohesive(CohesiveShape::Exponential);
+    spatula.adhesion.shear_strength = Some(0.02);
+    let held = SetaOfBeams { spatula: spatula.branch().unwrap(), ..of_beams() };
+    let stop = StopCriteria { displacement: Some(150.0), ..StopCriteria::default() };
+    let found = pull_off_of_beams(&held, &upwards(), &options(), &stop, None, &mut |_, _| {}).unwrap().result;
+    print("held", &found);
+    assert_eq!(found.end, SetaEnd::Bound(Bound::Displacement(150.0)));
+    let last = found.points.last().unwrap();
+    let [along, up, aside] = last.force;
+    assert!((30.0..30.5).contains(&up) && (37.5..38.5).contains(&along) && aside.abs() < 0.1, "{last:?}");
+    assert!(found.imbalance() < 1e-5 && last.attached == 2, "{}", found.imbalance());
+    assert!(found.effort.newton_iterations < 1500, "{:?}", found.effort);
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod events;
 mod fit;
 mod followed_until;
 mod healing;
+mod held_in_space;
 mod measured_law;
 mod observed;
 mod observed_in_space;

@@ -269,13 +269,13 @@ impl SpatialDensity {
     #[inline(always)]
     fn adhere<T: Real>(
         &self,
-        (place, value): (T, &[T; SPATIAL_FIELDS]),
-        (at, station, to_field): (&Kinematics<T>, &Station<T>, &[[T; 4]; 4]),
-        (value_gradient, value_value): (&mut [T; 4], &mut [[T; 4]; 4]),
+        lying: &LyingHere<T>,
+        by_turn: &mut ByTurn<T>,
         out: &mut PointResponse<T, SPATIAL_FIELDS>,
     ) {
+        let LyingHere { arc, place, at, station, to_field } = lying;
         let adhesion = match &self.adhesion {
-            Some(law) => LocalAdhesion::of(&self.section_response(law, value[1], at, station), at, station),
+            Some(law) => LocalAdhesion::of(&self.section_response(law, place[1], at, station), at, station),
             None => LocalAdhesion::none(),
         };
         out.energy = out.energy + adhesion.energy;
@@ -285,11 +285,8 @@ impl SpatialDensity {
         out.value_value[1][1] = adhesion.height_height;
         out.coverage_by_value[1] = adhesion.coverage_by_height;
         let (mixed, covered) = (apply(to_field, &adhesion.height_value), apply(to_field, &adhesion.coverage_by_value));
+        by_turn.add(&adhesion.by_value, &adhesion.value_value);
         for i in 0..4 {
-            value_gradient[i] = value_gradient[i] + adhesion.by_value[i];
-            for j in 0..4 {
-                value_value[i][j] = value_value[i][j] + adhesion.value_value[i][j];
-            }
             out.value_value[1][3 + i] = mixed[i];
             out.value_value[3 + i][1] = mixed[i];
             out.coverage_by_value[3 + i] = covered[i];
@@ -298,14 +295,10 @@ impl SpatialDensity {
         for i in [0, 2] {
             (out.by_value[i], out.coverage_by_value[i]) = (T::splat(0.0), T::splat(0.0));
         }
-        let Some(held) = self.holding() else { return };
-        let pull = held.pull(place, [value[0], value[1], value[2]], at, station);
-        add_hold(&pull, to_field, out);
-        for i in 0..4 {
-            value_gradient[i] = value_gradient[i] + pull.by_value[i];
-            for j in 0..4 {
-                value_value[i][j] = value_value[i][j] + pull.value_value[i][j];
-            }
+        if let Some(held) = self.holding() {
+            let pull = held.pull(*arc, *place, at, station);
+            add_hold(&pull, to_field, out);
+            by_turn.add(&pull.by_value, &pull.value_value);
         }
     }
 
@@ -328,17 +321,18 @@ impl SpatialDensity {
         };
         let (on_stretch, on_value, on_slope) = local_gradient(&at, n, m);
         let tangent = LocalTangent::new(&at, &station.stiffness, n, m);
-        let (mut value_gradient, mut value_value) = (on_value, tangent.value_value);
+        let mut by_turn = ByTurn { gradient: on_value, hessian: tangent.value_value };
         let to_field = at.basis();
         out.energy = stored;
-        let by_turn = (&mut value_gradient, &mut value_value);
-        self.adhere((place, value), (&at, &station, &to_field), by_turn, out);
-        let (by_quaternion, by_its_slope) = (apply(&to_field, &value_gradient), apply(&to_field, &on_slope));
+        let lying =
+            LyingHere { arc: place, place: [value[0], value[1], value[2]], at: &at, station: &station, to_field };
+        self.adhere(&lying, &mut by_turn, out);
+        let (by_quaternion, by_its_slope) = (apply(&to_field, &by_turn.gradient), apply(&to_field, &on_slope));
         let by_place = apply(&at.frame, &on_stretch);
         let place_place = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_stretch), &at.frame);
         let place_value = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_value), &to_field);
         let place_slope = multiply_by_transposed(&multiply(&at.frame, &tangent.stretch_slope), &to_field);
-        let value_value = multiply_by_transposed(&multiply(&to_field, &value_value), &to_field);
+        let value_value = multiply_by_transposed(&multiply(&to_field, &by_turn.hessian), &to_field);
         let value_slope = multiply_by_transposed(&multiply(&to_field, &tangent.value_slope), &to_field);
         let slope_slope = multiply_by_transposed(&multiply(&to_field, &tangent.slope_slope), &to_field);
         for i in 0..3 {
@@ -361,6 +355,36 @@ impl SpatialDensity {
                 out.value_slope[3 + i][3 + j] = value_slope[i][j];
                 out.slope_value[3 + j][3 + i] = value_slope[i][j];
                 out.slope_slope[3 + i][3 + j] = slope_slope[i][j];
+            }
+        }
+    }
+}
+
+/// A section as it lies.
+struct LyingHere<'a, T> {
+    /// S, nm
+    arc: T,
+    /// Of its axis, nm
+    place: [T; 3],
+    at: &'a Kinematics<T>,
+    station: &'a Station<T>,
+    /// [`Kinematics::basis`]
+    to_field: [[T; 4]; 4],
+}
+
+/// First and second derivatives by (α, ω).
+struct ByTurn<T> {
+    gradient: [T; 4],
+    hessian: [[T; 4]; 4],
+}
+
+impl<T: Real> ByTurn<T> {
+    #[inline(always)]
+    fn add(&mut self, gradient: &[T; 4], hessian: &[[T; 4]; 4]) {
+        for i in 0..4 {
+            self.gradient[i] = self.gradient[i] + gradient[i];
+            for j in 0..4 {
+                self.hessian[i][j] = self.hessian[i][j] + hessian[i][j];
             }
         }
     }
@@ -453,11 +477,13 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
         _: [f64; MEMORY],
     ) -> PointResponse<f64, SPATIAL_FIELDS> {
         let (station, at) = (self.profile.at(place), Kinematics::new(&value, &[0.0; SPATIAL_FIELDS]));
-        let (to_field, mut out) = (at.basis(), PointResponse::zero());
-        let (mut gradient, mut hessian) = ([0.0; 4], [[0.0; 4]; 4]);
-        self.adhere((place, &value), (&at, &station, &to_field), (&mut gradient, &mut hessian), &mut out);
-        let gradient = apply(&to_field, &gradient);
-        let hessian = multiply_by_transposed(&multiply(&to_field, &hessian), &to_field);
+        let to_field = at.basis();
+        let lying =
+            LyingHere { arc: place, place: [value[0], value[1], value[2]], at: &at, station: &station, to_field };
+        let (mut out, mut by_turn) = (PointResponse::zero(), ByTurn { gradient: [0.0; 4], hessian: [[0.0; 4]; 4] });
+        self.adhere(&lying, &mut by_turn, &mut out);
+        let gradient = apply(&to_field, &by_turn.gradient);
+        let hessian = multiply_by_transposed(&multiply(&to_field, &by_turn.hessian), &to_field);
         for i in 0..4 {
             out.by_value[3 + i] = gradient[i];
             out.value_value[3 + i][3..].copy_from_slice(&hessian[i]);

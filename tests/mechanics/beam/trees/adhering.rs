@@ -107,15 +107,17 @@ fn is_the_beam_in_space(spatula: PeelModel) {
 
 #[test]
 fn derivatives_are_those_of_the_energy() {
-    have_the_derivatives_of_the_energy(&spatula());
+    have_the_derivatives_of_the_energy(&spatula(), [0.0; 3]);
 }
 
 #[test]
 fn those_of_what_is_held_are_too() {
-    have_the_derivatives_of_the_energy(&held_spatula());
+    // open all over: where a face closes the law has a corner, which coarse elements do not resolve
+    have_the_derivatives_of_the_energy(&held_spatula(), [0.6, 0.4, -0.5]);
 }
 
-fn have_the_derivatives_of_the_energy(spatula: &PeelModel) {
+/// Of two spatulae that are moved by so much, nm, and bent.
+fn have_the_derivatives_of_the_energy(spatula: &PeelModel, moved: [f64; 3]) {
     let body = spatula.branch().unwrap();
     let turned = |angle: f64| exponential([0.0, angle, 0.0]);
     let branches = vec![placed(&body, 1, turned(0.4), 6), placed(&body, 2, turned(-2.0), 6)];
@@ -124,6 +126,8 @@ fn have_the_derivatives_of_the_energy(spatula: &PeelModel) {
     let mut at = tree.stress_free(0);
     let way: Vec<f64> = (0..tree.unknowns(&at)).map(spread).collect();
     tree.retract(&mut at, &way, 1e-3);
+    let nodes = tree.unknowns(&at) / 6;
+    at.values[..7 * nodes].chunks_exact_mut(7).for_each(|node| (0..3).for_each(|i| node[i] += moved[i]));
     let (residual, tangent, reactions) = (tree.residual(&at), dense(&tree, &at), tree.reactions(&at));
     let largest = residual.iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let gradients = [[1.0, 0.0], [0.0, 1.0]].map(|weights| tree.gradient(&at, weights));
