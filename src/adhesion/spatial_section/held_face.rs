@@ -6,7 +6,7 @@
 //!   Ψ_pull = b ∫ W_pull(r) B(t) ds,   B(t) = exp(-t²/δ_t²),   t² = x² + z².
 //!
 //! Its derivatives by p and e are the means of ∇ψ and s ∇ψ, of ∇∇ψ, s ∇∇ψ and s² ∇∇ψ, ψ = W_pull B. They are taken by Gauss's rule of six points
-//! between the corners of the law, in pieces over which ψ changes little: what is left out is below 1e-10 of each.
+//! between the corners of the law, in pieces over which ψ changes little: what is left out is below 1e-9 of each.
 
 use super::cohesive_face::{POINTS, WEIGHTS};
 use crate::adhesion::section::calibrated::Part;
@@ -175,7 +175,7 @@ mod tests {
                     }
                     let found = at_one(&law, middle, across);
                     for k in 0..MEANS {
-                        let (off, most) = ((found[k] - sums[k]).abs(), 1e-10 * sizes[k] + 1e-15);
+                        let (off, most) = ((found[k] - sums[k]).abs(), 1e-9 * sizes[k] + 1e-15);
                         assert!(off <= most, "mean {k} of {shape:?} at {tilt}, {turn}, {lowest}: {off:e}, {most:e}");
                     }
                 }

@@ -47,6 +47,15 @@ pub struct Integration<'a, N: Nodes, const F: usize> {
     pub symmetric: bool,
     /// What its material points remember from step to step.
     pub history: Option<&'a History>,
+    /// Whether elements are cut where the pieces of a law join. Cuts come and go as a state moves, and what comes to rest by gradient flow then creeps.
+    pub in_pieces: bool,
+}
+
+impl<N: Nodes, const F: usize> Integration<'_, N, F> {
+    /// The openings at which elements are cut.
+    pub(crate) fn knots(&self) -> &'static [f64] {
+        if self.in_pieces { self.density.knots() } else { &[] }
+    }
 }
 
 /// [`Point::memory`] at S of what is remembered from step to step.

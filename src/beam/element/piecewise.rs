@@ -59,7 +59,7 @@ impl<const F: usize> Element<f64, F> {
     #[inline(never)]
     pub(crate) fn piecewise<N: Nodes>(&self, by: &Integration<N, F>, mut add: impl FnMut(&PiecePoint<F>)) {
         let &Integration { nodes, basis, density, history, .. } = by;
-        let knots = density.knots();
+        let knots = by.knots();
         if knots.is_empty() {
             return;
         }
@@ -141,7 +141,7 @@ impl<const F: usize> Element<F64x4, F> {
         direction: &[[F64x4; F]; MOST_NODES],
     ) -> [F64x4; 3] {
         let mut sums = self.energy(by, direction);
-        if !by.density.knots().is_empty() {
+        if !by.knots().is_empty() {
             for l in 0..BUNDLE {
                 self.lane(l).piecewise(by, |PiecePoint { response: r, shape, weight }| {
                     let mut turned = 0.0;

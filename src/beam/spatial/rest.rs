@@ -1,6 +1,5 @@
 //! The stress-free configuration of a beam in space: its axis is a straight line, an arc or a helix, or varies with its outline.
 
-use super::end_rotation::turned;
 use super::rotation::{Matrix3, Quaternion, apply, cross, dot, exponential, matrix, product};
 use crate::beam::planar::planar_beam::FrontPosition;
 use crate::beam::reference_configuration::VaryingReference;
@@ -98,7 +97,7 @@ impl SpatialRest {
             Self::Outline(outline) => {
                 let [x, gap, rotation] = outline.reference.at(place);
                 let y = gap + 0.5 * outline.reference.height(place);
-                ([x, y, 0.0], turned([rotation, 0.0, 0.0], ALONG_X))
+                ([x, y, 0.0], product(exponential([0.0, 0.0, rotation]), ALONG_X))
             }
         }
     }

@@ -52,8 +52,8 @@ fn all_work_goes_into_the_interface() {
         let found = peeled(&strip(shape, elevation, azimuth), 1e-6);
         assert_eq!(found.end, PathEnd::Detached, "{shape:?}");
         let (work, expected) = (found.points.last().unwrap().work, WORK * WIDTH * LENGTH);
-        // less than a thousandth of the strength is left in each section
-        assert!((work / expected - 1.0).abs() < 2e-5, "{shape:?}: {work}, {expected}");
+        // a face is off where a thousandth of its shear strength is left: with exp(-8.8) of its work
+        assert!((0.0..1.5e-4).contains(&(1.0 - work / expected)), "{shape:?}: {work}, {expected}");
     }
 }
 

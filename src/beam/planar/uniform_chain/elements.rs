@@ -67,7 +67,15 @@ impl<const F: usize> UniformChain<F> {
     #[inline(always)]
     pub(super) fn integration<'a, N: Nodes>(&'a self, nodes: N, history: Option<&'a History>) -> Integration<'a, N, F> {
         let (density, coupling) = (&*self.density, self.density.coupling());
-        Integration { nodes, basis: &self.basis, density, coupling, symmetric: self.symmetric, history }
+        Integration {
+            nodes,
+            basis: &self.basis,
+            density,
+            coupling,
+            symmetric: self.symmetric,
+            history,
+            in_pieces: true,
+        }
     }
 
     /// As many nodes as an element has.

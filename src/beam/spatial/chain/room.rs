@@ -70,7 +70,7 @@ impl SpatialRoom {
         let (energy, coverage) = bundle.integrate_gradient::<false>(by, weight, responses, fields);
         products.assemble(by.nodes, by.basis, &by.coupling, bundle, responses, fields);
         let mut energies = [energy, coverage];
-        if !by.density.knots().is_empty() {
+        if !by.knots().is_empty() {
             for l in 0..BUNDLE {
                 bundle.lane(l).piecewise(by, |point| {
                     energies[0].0[l] += point.weight * point.response.energy;

@@ -287,7 +287,15 @@ impl BeamTree {
         branch: &'a TreeBranch,
     ) -> Integration<'a, N, SPATIAL_FIELDS> {
         let density: &dyn Integrand<SPATIAL_FIELDS> = &*branch.density;
-        Integration { nodes, basis: &self.basis, density, coupling: density.coupling(), symmetric: true, history: None }
+        Integration {
+            nodes,
+            basis: &self.basis,
+            density,
+            coupling: density.coupling(),
+            symmetric: true,
+            history: None,
+            in_pieces: false,
+        }
     }
 
     pub(super) fn count(&self) -> AnyNumber {

@@ -10,10 +10,9 @@ use crate::chart::place::Frame;
 use crate::chart::style::{WIDTH, colour};
 use crate::chart::symbol::Symbol;
 use crate::pictures::sweep::broken;
-use crate::pulls::seta::sweep::SetaRow;
-use crate::swept::SweptKeys;
+use crate::swept::{PullRow, SweptKeys};
 use crate::writing::error::ReportError;
-use peelkit::study::SetaMoment;
+use peelkit::study::{SetaMoment, SetaResult};
 use plotters::style::RGBColor;
 use std::path::{Path, PathBuf};
 
@@ -37,7 +36,7 @@ fn place(at: SetaMoment) -> (f64, f64) {
 pub(super) fn draw_locus(
     dir: &Path,
     keys: SweptKeys,
-    rows: &[SetaRow],
+    rows: &[PullRow<SetaResult>],
     Heading { title, units }: Heading,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let peaks: Vec<_> = rows.iter().filter_map(|row| row.peak().map(place)).collect();
@@ -48,7 +47,7 @@ pub(super) fn draw_locus(
     save(&picture(keys, rows, title).in_units(units), dir, "locus")
 }
 
-fn picture(keys: SweptKeys, rows: &[SetaRow], title: &str) -> Picture {
+fn picture(keys: SweptKeys, rows: &[PullRow<SetaResult>], title: &str) -> Picture {
     let mut values: Vec<Option<f64>> = Vec::new();
     for row in rows {
         if !values.contains(&row.second) {
@@ -57,8 +56,9 @@ fn picture(keys: SweptKeys, rows: &[SetaRow], title: &str) -> Picture {
     }
     let (mut lines, mut marks) = (Vec::new(), Vec::new());
     for (&value, colour) in values.iter().zip(COLOURS.into_iter().cycle()) {
-        let own: Vec<&SetaRow> = rows.iter().filter(|row| row.second == value).collect();
-        let first = |row: &SetaRow| row.found.as_ref().ok().and_then(|found| found.first_detachment).map(place);
+        let own: Vec<&PullRow<SetaResult>> = rows.iter().filter(|row| row.second == value).collect();
+        let first =
+            |row: &PullRow<SetaResult>| row.found.as_ref().ok().and_then(|found| found.first_detachment).map(place);
         let mut peaks = broken(own.iter().map(|row| row.peak().map(place)), Stroke::solid(colour, 2.0));
         if let (Some(line), Some(name)) = (peaks.first_mut(), name_of(keys, value)) {
             line.name = Some(name);
