@@ -56,13 +56,15 @@ fn at_one(law: &ShearedLaw, middle: [f64; 3], across: [f64; 3]) -> [f64; MEANS] 
     let Some([low, high]) = held_part(law, middle, across) else { return means };
     let cohesive = &law.cohesive;
     let slips = across[0].hypot(across[2]) / law.slip_scale;
-    let pace = (across[1] / cohesive.range).max(slips) / PIECE;
     let knots = Part::Pull.knots(cohesive.shape);
     // without a tilt they are infinite, or no numbers
     let corners = knots.map(|opening| (cohesive.closed + cohesive.range * opening - middle[1]) / across[1]);
     let mut from = low;
     for to in corners.filter(|place| *place > low && *place < high).chain([high]) {
-        let change = pace * (to - from);
+        // what pulls a face that is pressed changes with its slip alone
+        let is_open = middle[1] + 0.5 * (from + to) * across[1] > cohesive.closed;
+        let opens = if is_open { across[1] / cohesive.range } else { 0.0 };
+        let change = opens.max(slips) / PIECE * (to - from);
         let pieces = change.ceil().max(if change > SMALL { 2.0 } else { 1.0 });
         let half = 0.5 * (to - from) / pieces;
         for piece in 0..pieces as usize {

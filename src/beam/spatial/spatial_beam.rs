@@ -142,13 +142,24 @@ impl SpatialBeam {
         self.barrier.clearance(self.nearest(at))
     }
 
-    /// Whether no part of the beam that is nearer to the ground than `far`, nm, is attracted any more: what holds along the ground has slipped beyond
-    /// its reach.
+    /// Whether no part of the beam is nearer to the ground than `far`, nm, unless it has slipped so far that nothing attracts it.
     pub(crate) fn is_clear(&self, at: &State, far: f64) -> bool {
-        let held = self.chain.density.held.as_ref();
-        let height = |place| self.chain.density.profile.outline(place)[1];
-        let has_slipped = |place, fields: &_| held.is_some_and(|held| held.has_slipped(place, height(place), fields));
-        self.sections(at).all(|(place, fields)| self.lowest(place, &fields) > far || has_slipped(place, &fields))
+        self.beyond(at, far) > 0.0
+    }
+
+    /// How much farther than `far` the beam is from the ground where it is nearest, nm. A face that its adhesive holds along the ground and that has
+    /// slipped beyond its reach, by a share of that, is by the same share of `far` beyond it.
+    pub(crate) fn beyond(&self, at: &State, far: f64) -> f64 {
+        let density = &self.chain.density;
+        let held = density.held.as_ref().map(|held| (held, held.law.slip_reach()));
+        let of = |(place, fields): (f64, [f64; SPATIAL_FIELDS])| {
+            let lifted = self.lowest(place, &fields) - far;
+            held.map_or(lifted, |(held, reach)| {
+                let [_, height] = density.profile.outline(place);
+                lifted.max(far * (held.slip(place, height, &fields) / reach - 1.0))
+            })
+        };
+        self.sections(at).map(of).fold(f64::INFINITY, f64::min)
     }
 
     /// Heights of the lowest points of sections at the nodes and between them, from the left end on, nm.

@@ -109,7 +109,7 @@ impl Beam {
     pub(crate) fn beyond(&self, at: &State, far: f64) -> f64 {
         match self {
             Self::Planar(beam) => beam.beyond(at, far),
-            Self::Spatial(beam) => beam.nearest(at) - far,
+            Self::Spatial(beam) => beam.beyond(at, far),
         }
     }
 

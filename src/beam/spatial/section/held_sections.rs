@@ -92,20 +92,13 @@ impl HeldSections {
         out
     }
 
-    /// Whether a section at S with these fields has slipped so far in its middle that nothing pulls it back.
-    pub(in crate::beam::spatial) fn has_slipped(
-        &self,
-        place: f64,
-        height: f64,
-        fields: &[f64; SPATIAL_FIELDS],
-    ) -> bool {
+    /// How far the middle of the face of a section at S, of this height and with these fields, has slipped, nm.
+    pub(in crate::beam::spatial) fn slip(&self, place: f64, height: f64, fields: &[f64; SPATIAL_FIELDS]) -> f64 {
         let [x, _, z, turn @ ..] = *fields;
         let [x0, z0, _, _, up_x, up_z] = self.bonded(place);
         let frame = matrix(normalised(turn));
-        let slip = [x - x0, z - z0];
-        let turned = [frame[0][2] - up_x, frame[2][2] - up_z];
-        let [along, aside] = [0, 1].map(|i| slip[i] - 0.5 * height * turned[i]);
-        along.hypot(aside) > self.law.slip_reach()
+        let half = 0.5 * height;
+        (x - x0 - half * (frame[0][2] - up_x)).hypot(z - z0 - half * (frame[2][2] - up_z))
     }
 
     /// Where the section at S was bonded, along the ground: its axis, d2 and d3, x and z of each.
