@@ -52,8 +52,17 @@ fn of_part(law: &Cohesive, part: Part, [width, y, a]: [f64; 3], [c, along]: [f64
 // are within 3e-13 of what is averaged, without its sign.
 
 /// Gauss's points above zero on [-1, 1] and their weights.
-pub(super) const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];
-pub(super) const WEIGHTS: [f64; 3] = [0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_34];
+const POINTS: [f64; 3] = [0.238_619_186_083_196_9, 0.661_209_386_466_264_5, 0.932_469_514_203_152];
+const WEIGHTS: [f64; 3] = [0.467_913_934_572_691_04, 0.360_761_573_048_138_6, 0.171_324_492_379_170_34];
+
+/// The places and weights of the six points from `middle` - `half` to `middle` + `half`.
+#[inline(always)]
+pub(super) fn six_points(middle: f64, half: f64) -> [(f64, f64); 6] {
+    std::array::from_fn(|k| {
+        let (point, weight) = (POINTS[k / 2], half * WEIGHTS[k / 2]);
+        (if k % 2 == 0 { middle - half * point } else { middle + half * point }, weight)
+    })
+}
 
 impl Cohesive {
     /// The means over s from -1/2 to 1/2 of W_c, W_c', s W_c', W_c'', s W_c'' and s² W_c'' at r + s a, for a ≥ 0, of a part of the law.
@@ -89,13 +98,11 @@ impl Cohesive {
         // without a tilt they are infinite, or no numbers
         for to in knots.filter(|place| place.abs() < 0.5).chain([0.5]) {
             let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-            for (point, weight) in POINTS.into_iter().zip(WEIGHTS) {
-                for place in [middle - half * point, middle + half * point] {
-                    let [work, s, slope] = part.at(self.shape, t + place * x);
-                    let terms = [work, s, place * s, slope, place * slope, place * place * slope];
-                    for k in 0..6 {
-                        sums[k] += half * weight * terms[k];
-                    }
+            for (place, weight) in six_points(middle, half) {
+                let [work, s, slope] = part.at(self.shape, t + place * x);
+                let terms = [work, s, place * s, slope, place * slope, place * place * slope];
+                for k in 0..6 {
+                    sums[k] += weight * terms[k];
                 }
             }
             from = to;

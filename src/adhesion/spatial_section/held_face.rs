@@ -8,7 +8,7 @@
 //! Its derivatives by p and e are the means of ∇ψ and s ∇ψ, of ∇∇ψ, s ∇∇ψ and s² ∇∇ψ, ψ = W_pull B. They are taken by Gauss's rule of six points
 //! between the corners of the law, in pieces over which ψ changes little: what is left out is below 1e-9 of each.
 
-use super::cohesive_face::{POINTS, WEIGHTS};
+use super::cohesive_face::six_points;
 use crate::adhesion::section::calibrated::Part;
 use crate::adhesion::section::sheared::ShearedLaw;
 use crate::number::Real;
@@ -69,11 +69,9 @@ fn at_one(law: &ShearedLaw, middle: [f64; 3], across: [f64; 3]) -> [f64; MEANS] 
         let half = 0.5 * (to - from) / pieces;
         for piece in 0..pieces as usize {
             let center = from + half * (2.0 * piece as f64 + 1.0);
-            for (point, weight) in POINTS.into_iter().zip(WEIGHTS) {
-                for s in [center - half * point, center + half * point] {
-                    let place = std::array::from_fn(|k| middle[k] + s * across[k]);
-                    add(&mut means, &density(law, place), half * weight, side * s);
-                }
+            for (s, weight) in six_points(center, half) {
+                let place = std::array::from_fn(|k| middle[k] + s * across[k]);
+                add(&mut means, &density(law, place), weight, side * s);
             }
         }
         from = to;

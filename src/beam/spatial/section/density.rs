@@ -226,24 +226,25 @@ impl SpatialDensity {
 
     /// What the adhesion of a section at S with these fields exerts on the ground.
     pub(crate) fn load(&self, place: f64, value: &[f64; SPATIAL_FIELDS]) -> AdhesionLoad {
-        let station = self.profile.at(place);
-        let at = Kinematics::new(value, &[0.0; SPATIAL_FIELDS]);
-        let local = self
-            .adhesion
-            .as_ref()
-            .map(|law| LocalAdhesion::of(&self.section_response(law, value[1], &at, &station), &at, &station));
-        let local = local.unwrap_or_else(LocalAdhesion::none);
-        let mut load = AdhesionLoad { energy: local.energy, force: [0.0, local.by_height, 0.0], moment: [0.0; 3] };
-        let mut by_turn = local.by_value;
-        if let Some(held) = self.holding() {
-            let pull = held.pull(place, [value[0], value[1], value[2]], &at, &station);
-            load.energy += pull.energy;
-            (0..3).for_each(|i| load.force[i] += pull.by_place[i]);
-            (0..4).for_each(|i| by_turn[i] += pull.by_value[i]);
-        }
+        let (response, by_turn) = self.adhesion_at(place, &Kinematics::new(value, &[0.0; SPATIAL_FIELDS]), value);
+        let [x, y, z, ..] = response.by_value;
         // turned by exp(φ/2), the quaternion changes with φ/2
-        load.moment = [1, 2, 3].map(|i| 0.5 * by_turn[i]);
-        load
+        let moment = [1, 2, 3].map(|i| 0.5 * by_turn.gradient[i]);
+        AdhesionLoad { energy: response.adhesion, force: [x, y, z], moment }
+    }
+
+    /// The adhesion alone: what goes with the place, and derivatives by (α, ω).
+    fn adhesion_at(
+        &self,
+        place: f64,
+        at: &Kinematics<f64>,
+        value: &[f64; SPATIAL_FIELDS],
+    ) -> (PointResponse<f64, SPATIAL_FIELDS>, ByTurn<f64>) {
+        let (station, to_field) = (self.profile.at(place), at.basis());
+        let lying = LyingHere { arc: place, place: [value[0], value[1], value[2]], at, station: &station, to_field };
+        let (mut out, mut by_turn) = (PointResponse::zero(), ByTurn { gradient: [0.0; 4], hessian: [[0.0; 4]; 4] });
+        self.adhere(&lying, &mut by_turn, &mut out);
+        (out, by_turn)
     }
 
     /// What holds along the ground where anything adheres.
@@ -476,12 +477,9 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
         value: [f64; SPATIAL_FIELDS],
         _: [f64; MEMORY],
     ) -> PointResponse<f64, SPATIAL_FIELDS> {
-        let (station, at) = (self.profile.at(place), Kinematics::new(&value, &[0.0; SPATIAL_FIELDS]));
+        let at = Kinematics::new(&value, &[0.0; SPATIAL_FIELDS]);
+        let (mut out, by_turn) = self.adhesion_at(place, &at, &value);
         let to_field = at.basis();
-        let lying =
-            LyingHere { arc: place, place: [value[0], value[1], value[2]], at: &at, station: &station, to_field };
-        let (mut out, mut by_turn) = (PointResponse::zero(), ByTurn { gradient: [0.0; 4], hessian: [[0.0; 4]; 4] });
-        self.adhere(&lying, &mut by_turn, &mut out);
         let gradient = apply(&to_field, &by_turn.gradient);
         let hessian = multiply_by_transposed(&multiply(&to_field, &by_turn.hessian), &to_field);
         for i in 0..4 {
