@@ -36,6 +36,7 @@ fn path_alone(c: &mut Criterion) {
         elements: 20,
         step_tolerance: 3.8e-3,
         stride: 1.0,
+        longest: None,
         tolerance: 1e-10,
         prediction: MOST_POINTS,
         first_displacement: 0.008,

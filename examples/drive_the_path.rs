@@ -14,6 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         elements: 14,
         step_tolerance: 1e-2,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,

@@ -71,6 +71,7 @@ fn by_secants(scene: &Scene, own: &Peel) -> String {
         elements: own.effort.elements,
         step_tolerance: 1.2e-2 * (1e6 * relative).powf(0.25),
         stride: 1.0,
+        longest: None,
         tolerance: 1e-2 * relative,
         prediction: 2,
         first_displacement: 0.02 * scene.model.adhesion.equilibrium_distance.min(scene.model.process_length()),

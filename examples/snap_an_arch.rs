@@ -30,6 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         elements: 8,
         step_tolerance: 1e-4,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: -0.01 * rise,

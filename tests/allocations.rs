@@ -29,6 +29,7 @@ fn iterations_allocate_nothing() {
             elements: 12,
             step_tolerance: 1e-2,
             stride: 1.0,
+            longest: None,
             prediction: 8,
             tolerance: 1e-9,
             first_displacement: 0.008,

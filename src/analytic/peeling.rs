@@ -1,6 +1,6 @@
 //! Forces of steady peeling, which need no beam.
 
-use crate::beam::stretch_law::StretchLaw;
+use crate::beam::material::stretch_law::StretchLaw;
 use crate::number::root::Bracket;
 
 /// Kendall's peel force, nN: P²/(2 E h b²) + (P/b)(1 - cos φ) = w for a film without bending stiffness (Kendall 1975).

@@ -24,8 +24,8 @@
 //! The last is the first of the three to come, by a factor of two where shear is stiff and by next to nothing where it is soft. The critical
 //! M of each is what [`BondedBeam::ratio`] is relative to.
 
+use super::material::stretch_law::StretchLaw;
 use super::section::Section;
-use super::stretch_law::StretchLaw;
 use crate::adhesion::section::line_load::LineLaw;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_2, TAU};

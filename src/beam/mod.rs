@@ -2,12 +2,12 @@
 pub(crate) mod bonded_beam;
 pub(crate) mod element;
 pub(crate) mod grip_state;
+pub(crate) mod material;
 pub mod mesh;
 pub(crate) mod planar;
 pub(crate) mod reference_configuration;
 pub(crate) mod section;
 pub(crate) mod spatial;
-pub(crate) mod stretch_law;
 pub(crate) mod torsion;
 pub(crate) mod varying;
 pub(crate) mod viscosity;
@@ -17,6 +17,7 @@ pub use element::energy_density::{Coupling, EnergyDensity, Point, PointResponse,
 pub use element::integrand::{Integrand, PointEnergy, PointGradient};
 pub use element::integration::{Element, ElementEnergy, Integration, Responses};
 pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace, StepsTaken};
+pub use material::stretch_law::{StretchLaw, StretchResponse};
 pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach};
 pub use planar::chain::{
     Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient, KnownStrains, LeastPivot, NodeState, ROOT,
@@ -26,7 +27,7 @@ pub use planar::density::reduced::ReducedBeam;
 pub use planar::density::reissner::{ReissnerBeam, ReissnerRod};
 pub use planar::model_end::CollapsedSection;
 pub use planar::model_limits::{BondedLoss, ModelLimits, PoleInReach, UprightCorner, UprightPole, UprightSection};
-pub use planar::planar_beam::{BeamInertia, FRONT, FaceMemory, FrontPosition, PlanarBeam, TIP_ROTATION};
+pub use planar::planar_beam::{BeamInertia, BeamMemory, FRONT, FrontPosition, PlanarBeam, TIP_ROTATION};
 pub use reference_configuration::{ReferenceConfiguration, ReferenceCurve, VaryingReference};
 pub use section::{Material, Section, SectionAt, rectangle_second_moment};
 pub use spatial::chain::room::SpatialFactors;
@@ -47,7 +48,6 @@ pub use spatial::tree::branching_beam::{
     Branch, BranchMesh, BranchingBeam, EndEnergy, EndResponse, JointCondition, JointUnknown, TreeError, TreeMonitor,
 };
 pub use spatial::tree::read::BranchSection;
-pub use stretch_law::{StretchLaw, StretchResponse};
 pub use torsion::torsion_constant;
 pub use varying::{BeamGeometry, Profile, SectionGeometry, Varying};
 pub use viscosity::Viscosity;

@@ -1,6 +1,7 @@
 //! Stiffness of a beam section.
 
-use super::stretch_law::StretchLaw;
+use super::material::stretch_law::StretchLaw;
+use super::material::yielding::BendingLaw;
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -38,13 +39,33 @@ pub struct Material {
     /// How the force along the axis follows its stretch
     #[serde(default)]
     pub stretch: StretchLaw,
+    /// σ_y, GPa, of one that yields in bending
+    #[serde(default)]
+    pub yield_strength: Option<f64>,
+    /// E_t, GPa: dσ/dε beyond; zero where none is given
+    #[serde(default)]
+    pub tangent_modulus: Option<f64>,
 }
 
 impl Material {
     /// Young's modulus in GPa and Poisson's ratio, in a rectangular section: k_s = 5/6, and EI as it is.
     pub const fn of(youngs_modulus: f64, poissons_ratio: f64) -> Self {
-        let stretch = StretchLaw::Linear;
-        Self { youngs_modulus, poissons_ratio, shear_correction: 5.0 / 6.0, bending_stiffness_factor: 1.0, stretch }
+        Self {
+            youngs_modulus,
+            poissons_ratio,
+            shear_correction: 5.0 / 6.0,
+            bending_stiffness_factor: 1.0,
+            stretch: StretchLaw::Linear,
+            yield_strength: None,
+            tangent_modulus: None,
+        }
+    }
+
+    /// How a section of this height (nm) bends, of a material that yields.
+    pub(crate) fn bending_law(&self, height: f64) -> Option<BendingLaw> {
+        let (modulus, hardened) = (self.youngs_modulus, self.tangent_modulus.unwrap_or(0.0));
+        self.yield_strength
+            .map(|strength| BendingLaw { elastic: 2.0 * strength / (modulus * height), hardening: hardened / modulus })
     }
 
     /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:

@@ -3,8 +3,8 @@
 //! In the stress-free configuration its underside lies in the direction φ(S), and the axis half a height above it, in the direction
 //! θ0 = φ + atan(h'/2). So a beam of varying height with φ = 0 lies flat on a flat substrate.
 
+use super::material::stretch_law::StretchLaw;
 use super::section::{Material, Section, SectionAt};
-use super::stretch_law::StretchLaw;
 use crate::number::Real;
 use std::fmt::Debug;
 use std::sync::Arc;

@@ -4,8 +4,8 @@ use super::peel::{Adhesion, PeelModel};
 use crate::adhesion::section::law::Law;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::analytic::peeling::{kendall_force, sliding_force, stretched_force};
+use crate::beam::material::stretch_law::StretchLaw;
 use crate::beam::section::Section;
-use crate::beam::stretch_law::StretchLaw;
 
 /// Quantities that follow from a model alone.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,6 +13,7 @@ use crate::adhesion::section::sheared::ShearedLaw;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::bonded_beam::BondedBeam;
 use crate::beam::grip_state::GripState;
+use crate::beam::material::yielding::BendingLaw;
 use crate::beam::section::{Material, Section};
 use crate::beam::varying::BeamGeometry;
 use crate::solve::problem::Direction;
@@ -106,10 +107,10 @@ impl Adhesion {
         }
     }
 
-    /// The law of a face that is held along the ground, or does not heal, if it is cohesive.
-    pub(crate) fn face_law(&self) -> Option<ShearedLaw> {
+    /// The law of a face that is held along the ground, does not heal, or `yields` with its film, if it is cohesive.
+    fn face_law(&self, yields: bool) -> Option<ShearedLaw> {
         let sliding = || match self.attraction.law(&self.half_space(), self.work, self.strength) {
-            Law::Cohesive(cohesive) if !self.healing => Some(ShearedLaw::sliding(cohesive)),
+            Law::Cohesive(cohesive) if !self.healing || yields => Some(ShearedLaw::sliding(cohesive)),
             _ => None,
         };
         self.sheared_law().or_else(sliding)
@@ -281,9 +282,24 @@ impl PeelModel {
     /// where its stretch is not linear, and in space with x.
     pub(crate) fn form(&self, asked: Form) -> Form {
         let flat = self.ground.substrate.is_flat() && self.space.is_none();
-        let free = self.tangential_stiffness().is_none() && self.adhesion.healing;
+        let free = self.tangential_stiffness().is_none() && self.adhesion.healing && !self.yields();
         let reducible = flat && free && self.material().stretch.is_linear();
         if reducible { asked } else { Form::ThreeField }
+    }
+
+    /// Whether its film yields in bending.
+    pub fn yields(&self) -> bool {
+        self.material().yield_strength.is_some()
+    }
+
+    /// How its sections bend, of a strip that yields.
+    pub(crate) fn bending_law(&self) -> Option<BendingLaw> {
+        self.strip().and_then(|strip| strip.material.bending_law(strip.height))
+    }
+
+    /// The law of a face that is held along the ground, does not heal, or is that of a film that yields, if it is cohesive.
+    pub(crate) fn face_law(&self) -> Option<ShearedLaw> {
+        self.adhesion.face_law(self.yields())
     }
 
     /// Whether what acts on it is the gradient of an energy, but for friction.

@@ -229,6 +229,7 @@ fn what_a_solid_has(model: &PeelModel) -> Result<(), SolidError> {
         ),
         (strip.layers.is_some(), "strip.layers", "is of one material"),
         (!strip.material.stretch.is_linear(), "strip.stretch", "stretches as its `solid.material` does"),
+        (strip.material.yield_strength.is_some(), "strip.yield_strength", "is elastic"),
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.line_load != LineLoad::Full, "adhesion.line_load", "has no line load"),
         (model.adhesion.shear_strength.is_some(), "adhesion.shear_strength", "slides freely along the ground"),

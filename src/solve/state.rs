@@ -44,10 +44,13 @@ pub struct History {
     pub rows: Vec<[f64; MEMORIES]>,
     /// Energy dissipated since the beginning, aJ
     pub dissipated: f64,
+    /// Where on their path the two newest steps ended, in a measure of the system's own
+    #[serde(default)]
+    pub ends: [f64; 2],
 }
 
 /// How many numbers a material point may remember.
-pub(crate) const MEMORIES: usize = 4;
+pub(crate) const MEMORIES: usize = 9;
 /// Fewest and most steps from place to place.
 const FEWEST: usize = 16;
 const MOST: usize = 100_000;
@@ -57,7 +60,7 @@ impl History {
     pub fn new(length: f64, spacing: f64, at: impl Fn(f64) -> [f64; MEMORIES]) -> Self {
         let steps = ((length / spacing).ceil() as usize).clamp(FEWEST, MOST);
         let spacing = length / steps as f64;
-        Self { spacing, rows: (0..=steps).map(|k| at(k as f64 * spacing)).collect(), dissipated: 0.0 }
+        Self { spacing, rows: (0..=steps).map(|k| at(k as f64 * spacing)).collect(), dissipated: 0.0, ends: [0.0; 2] }
     }
 
     /// The first `K` numbers at S.

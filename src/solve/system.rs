@@ -155,6 +155,11 @@ pub trait System: Send + Sync {
         None
     }
 
+    /// Whether what its material points remember asks for points so close to one another that an interpolant between them is as good as they are.
+    fn has_close_points(&self) -> bool {
+        false
+    }
+
     /// Whether material points remember what they went through.
     fn has_history(&self) -> bool {
         false

@@ -71,6 +71,7 @@ pub use parameters::sweep::{PeelResult, power_law, sweep};
 pub use parameters::{optimisation, uncertainty};
 pub use peel::along_path::station::{Events, MissedStation, Station, Stations};
 pub use peel::along_path::work::Sliding;
+pub use peel::along_path::yielded::Yielded;
 pub use peel::budget::Checkpoint;
 pub use peel::contact::{Adhering, Contact, SMALLEST_RADIUS};
 pub use peel::equilibrium_path::follow::PathPoints;

@@ -122,10 +122,11 @@ displacement = "0.5 um"
     assert_eq!((scene.title.as_str(), scene.accuracy.terms), ("All", Terms::Auto));
     let wave = Substrate::Sinusoid(Sinusoid { height: 8.0, wavelength: 100.0, offset: -25.0 });
     assert_eq!(scene.model.ground, Ground { substrate: wave, start: Start::Crests });
-    // pretension, friction, a shear strength, a crack, layers and a law of stretch stand elsewhere: pull.rs, friction.rs, conflicts.rs, and below
+    // pretension, friction, a shear strength, a crack, layers, a law of stretch and yielding stand elsewhere: pull.rs, friction.rs, conflicts.rs, and below
     let elsewhere = |key: &Key| {
         ["pretension", "shear_strength", "shear_work", "mixing_exponent", "healing", "crack", "stretch", "layers"]
             .contains(&key.name)
+            || ["yield_strength", "tangent_modulus"].contains(&key.name)
             || key.table == "friction"
     };
     for key in KEYS.iter().filter(|key| key.belongs_to(&scene) && !elsewhere(key)) {
@@ -140,6 +141,23 @@ fn a_crack_is_read_and_has_to_leave_something() {
     assert_eq!(Scene::parse("a.toml", MINIMAL, &[]).unwrap().model.strip().unwrap().crack, None);
     let error = with_crack("1 um").unwrap_err().to_string();
     assert!(error.contains("`strip.crack` is 1000 nm") && error.contains("nothing adheres"), "{error}");
+}
+
+/// A film that yields and hardens is read, and one that hardens without yielding is refused.
+#[test]
+fn a_film_that_yields_is_read() {
+    let film = MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n");
+    let read = |keys: &[(&str, &str)]| {
+        let set: Vec<_> = keys.iter().map(|(key, value)| (format!("strip.{key}"), (*value).to_owned())).collect();
+        Scene::parse("a.toml", &film, &set)
+    };
+    let scene = read(&[("yield_strength", "60 MPa"), ("tangent_modulus", "0.2 GPa")]).unwrap();
+    let material = scene.model.strip().unwrap().material;
+    assert_eq!((material.yield_strength, material.tangent_modulus), (Some(0.06), Some(0.2)));
+    let error = read(&[("tangent_modulus", "0.2 GPa")]).unwrap_err().to_string();
+    assert!(error.contains("has no yield strength"), "{error}");
+    let error = read(&[("yield_strength", "60 MPa"), ("tangent_modulus", "2 TPa")]).unwrap_err().to_string();
+    assert!(error.contains("the strip would not yield"), "{error}");
 }
 
 /// Layers stand in place of height and material, which are refused beside them; the law of stretch stays, and the text that is written is read again.
@@ -222,6 +240,8 @@ equilibrium_distance = "0.4 nm"
             shear_correction: 0.9,
             bending_stiffness_factor: 1.5,
             stretch: StretchLaw::Linear,
+            yield_strength: None,
+            tangent_modulus: None,
         },
     };
     assert_eq!(*spatula, expected);

@@ -70,7 +70,11 @@ fn every_example_that_messages_give_is_right() {
                 let law = "law = \"bilinear\"\nshear_strength = \"0.1 GPa\"\nshear_work = \"0.1 J/m2\"\n";
                 MINIMAL.replace("[adhesion]\n", &format!("[adhesion]\n{law}"))
             }
-            _ if ["work", "strength", "shear_strength"].contains(&key.name) => {
+            _ if key.name == "tangent_modulus" => {
+                let film = MINIMAL.replace("[strip]\n", "[strip]\nyield_strength = \"50 MPa\"\n");
+                film.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
+            }
+            _ if ["work", "strength", "shear_strength", "yield_strength"].contains(&key.name) => {
                 MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n")
             }
             _ if ["turn", "steps"].contains(&key.name) => format!("{MINIMAL}[grip]\nrotation = \"fixed\"\n"),

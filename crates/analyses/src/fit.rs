@@ -217,6 +217,12 @@ fn parameters(scene: &Scene) -> Result<Vec<FitParameter>, Refusal> {
             "Remove `adhesion.healing` from the scene: as long as nothing that has opened closes again, the curve is the same.",
         ));
     }
+    if scene.model.yields() {
+        return Err(Refusal::asked(
+            "a curve of a film that yields is not fitted: what it does depends on its past, and has no derivative",
+            "Remove `strip.yield_strength` from the scene, or vary it with peel sweep.",
+        ));
+    }
     if scene.accuracy.terms == Terms::Auto {
         return Err(Refusal::asked(
             "a fit takes the model with all of its terms, and the scene has terms = \"auto\"",

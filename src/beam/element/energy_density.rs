@@ -6,6 +6,21 @@ use crate::solve::state::MEMORIES;
 
 /// Numbers that a density may remember at a point.
 pub(crate) const MEMORY: usize = 7;
+/// How many of those from step to step are of the face; behind them are the turns of the film.
+pub(crate) const FACE: usize = 4;
+
+/// What a step came to at a material point.
+#[derive(Clone, Copy, Debug)]
+pub struct StepEnd<const F: usize> {
+    /// S, nm
+    pub place: f64,
+    /// The fields.
+    pub value: [f64; F],
+    /// Their derivatives with respect to S.
+    pub slope: [f64; F],
+    /// Length of the step before over that of this one, along the path
+    pub before: f64,
+}
 
 /// What is known at a point of the axis, or at four side by side.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +32,8 @@ pub struct Point<T, const F: usize> {
     /// Their derivatives with respect to S.
     pub slope: [T; F],
     /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
-    /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a viscous material: the strains from
+    /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a film that yields: behind four
+    /// numbers of its face, the turns of its curvature, 1/nm. Of a viscous material: the strains from
     /// which the step strains, three in the plane and six in space, and the factor of its stiffness; in the plane also the distance from which the
     /// face opens, nm, and c of the step, 1/time.
     pub memory: [T; MEMORY],
@@ -185,16 +201,22 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// The density and its derivatives, at one point or at several side by side.
     fn response<T: Real>(&self, place: T, value: [T; F], slope: [T; F], axial_multiplier: f64) -> PointResponse<T, F>;
 
-    /// Whether something may take part that remembers what was before the step: friction, a face that does not heal, or a viscous material.
+    /// Whether something may take part that remembers what was before the step: friction, a face that does not heal, a film that yields, or a
+    /// viscous material.
     const HAS_HISTORY: bool = false;
 
     /// Adds that to a response at the same point.
     fn add_remembered<T: Real>(&self, _point: &Point<T, F>, _response: &mut PointResponse<T, F>) {}
 
-    /// What a material point remembers behind a step that ended with these fields, and an energy per length (nN): with friction what was dissipated
-    /// there, of a face that does not heal what it would win if it did.
-    fn remembered(&self, _place: f64, _value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
+    /// What a material point remembers behind a step, and an energy per length (nN): with friction what was dissipated there, of a face that does
+    /// not heal what it would win if it did.
+    fn remembered(&self, _end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
         (before, 0.0)
+    }
+
+    /// Whether its film yields, so that its curvature does not follow from its moment alone.
+    fn yields(&self) -> bool {
+        false
     }
 
     /// Whether [`Self::slope_beyond_step`] says anything.
@@ -212,7 +234,14 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     }
 
     /// Section forces and stretch.
-    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState;
+    fn section_state(
+        &self,
+        place: f64,
+        value: [f64; F],
+        slope: [f64; F],
+        axial_multiplier: f64,
+        memory: [f64; MEMORY],
+    ) -> SectionState;
 
     /// The same section where its vertical force and moment are known instead of the slopes (at a node between two
     /// elements, where the nodal forces are far more accurate than the slopes).

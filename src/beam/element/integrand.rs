@@ -3,7 +3,7 @@
 //! What an element asks of its density does not depend on its order: so each density is compiled once, and the elements of
 //! each order once for all densities.
 
-use super::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
+use super::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState, StepEnd};
 use crate::number::{F64x4, Real};
 use crate::solve::state::MEMORIES;
 
@@ -83,9 +83,18 @@ pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
     /// Adhesion energy per length, nN, with these fields and what is remembered
     fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64;
     /// [`EnergyDensity::remembered`]
-    fn remembered(&self, place: f64, value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64);
+    fn remembered(&self, end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64);
+    /// [`EnergyDensity::yields`]
+    fn yields(&self) -> bool;
     /// [`EnergyDensity::section_state`]
-    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState;
+    fn section_state(
+        &self,
+        place: f64,
+        value: [f64; F],
+        slope: [f64; F],
+        axial_multiplier: f64,
+        memory: [f64; MEMORY],
+    ) -> SectionState;
     /// [`EnergyDensity::section_state_from_forces`]
     fn section_state_from_forces(
         &self,
@@ -159,12 +168,23 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
         response(self, &Point { place, value, slope: [0.0; F], memory }, axial_multiplier).adhesion
     }
 
-    fn remembered(&self, place: f64, value: [f64; F], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
-        EnergyDensity::remembered(self, place, value, before)
+    fn remembered(&self, end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
+        EnergyDensity::remembered(self, end, before)
     }
 
-    fn section_state(&self, place: f64, value: [f64; F], slope: [f64; F], axial_multiplier: f64) -> SectionState {
-        EnergyDensity::section_state(self, place, value, slope, axial_multiplier)
+    fn yields(&self) -> bool {
+        EnergyDensity::yields(self)
+    }
+
+    fn section_state(
+        &self,
+        place: f64,
+        value: [f64; F],
+        slope: [f64; F],
+        axial_multiplier: f64,
+        memory: [f64; MEMORY],
+    ) -> SectionState {
+        EnergyDensity::section_state(self, place, value, slope, axial_multiplier, memory)
     }
 
     fn section_state_from_forces(

@@ -60,8 +60,7 @@ impl<N: Nodes, const F: usize> Integration<'_, N, F> {
 
 /// [`Point::memory`] at S of what is remembered from step to step.
 pub(in crate::beam) fn memory_of(history: Option<&History>, place: f64) -> [f64; MEMORY] {
-    let [a, b] = history.map_or([0.0; 2], |known| known.at(place));
-    [a, b, 0.0, 0.0, 0.0, 0.0, 0.0]
+    history.map_or([0.0; MEMORY], |known| known.at(place))
 }
 
 impl<T: Real, const F: usize> Element<T, F> {

@@ -65,7 +65,7 @@ pub struct PlanarBeam {
     /// What the chain is on; flat where nothing adheres.
     pub substrate: Substrate,
     /// What its material points remember
-    pub memory: FaceMemory,
+    pub memory: BeamMemory,
     /// Whether the load has a potential.
     pub conservative: bool,
     /// How far a face slips until nothing attracts it, nm, where the adhesion holds it along the ground. The load then depends on x - S, and the first
@@ -448,11 +448,11 @@ impl FrontPosition {
     }
 }
 
-// -- What the face of a beam remembers --
+// -- What a beam remembers from step to step --
 
-/// What the face of a beam remembers, with what that is at rest.
+/// What the face of a beam and its film remember, with what that is at rest.
 #[derive(Clone, Debug, Default)]
-pub enum FaceMemory {
+pub enum BeamMemory {
     /// Nothing
     #[default]
     Nothing,
@@ -461,17 +461,25 @@ pub enum FaceMemory {
     /// How far it has been open and has slipped at most, where it does not heal: the rows are these up to where it began to close, by which the law
     /// goes, and up to now.
     Opening(Arc<History>),
+    /// The same of a face under a film that yields: the turns of its curvature stand behind it, and the work that it has taken by
+    /// yielding over EI, 1/nm.
+    Film {
+        /// At rest
+        history: Arc<History>,
+        /// Whether its face is as new where it comes back
+        heals: bool,
+    },
 }
 
 /// What a face may have healed without being said to have closed, over the work of adhesion of a process zone.
 const HEALED: f64 = 1e-11;
 
-impl FaceMemory {
+impl BeamMemory {
     /// At rest
     pub(crate) fn at_rest(&self) -> Option<&Arc<History>> {
         match self {
             Self::Nothing => None,
-            Self::Slip(history) | Self::Opening(history) => Some(history),
+            Self::Slip(history) | Self::Opening(history) | Self::Film { history, .. } => Some(history),
         }
     }
 
@@ -479,7 +487,7 @@ impl FaceMemory {
     pub(crate) fn slip_at_rest(&self) -> Option<&Arc<History>> {
         match self {
             Self::Slip(history) => Some(history),
-            Self::Nothing | Self::Opening(_) => None,
+            Self::Nothing | Self::Opening(_) | Self::Film { .. } => None,
         }
     }
 }
@@ -487,8 +495,15 @@ impl FaceMemory {
 impl PlanarBeam {
     /// What its material points remember behind a step that ended in a state.
     pub(super) fn remembered(&self, at: &State) -> Option<History> {
-        let (mut known, energy) = self.chain.updated_history(self.configuration(at))?;
-        if let FaceMemory::Slip(_) = self.memory {
+        let before = at.history.as_deref()?;
+        let mut ends = before.ends;
+        if let BeamMemory::Film { .. } = self.memory {
+            ends = [ends[1], self.front_of(at)];
+        }
+        let steps = [before.ends[1] - before.ends[0], ends[1] - ends[0]];
+        let (mut known, energy) = self.chain.updated_history(self.configuration(at), steps[0] / steps[1])?;
+        known.ends = ends;
+        if let BeamMemory::Slip(_) = self.memory {
             known.dissipated += energy;
         }
         Some(known)
@@ -497,11 +512,11 @@ impl PlanarBeam {
     /// A face that only opens goes by its law as it is. Where it has closed again in a step, how far it had been before that is what its law goes by
     /// from there on.
     pub(super) fn remembered_before_closing(&self, at: &State) -> Option<History> {
-        let FaceMemory::Opening(_) = self.memory else { return None };
-        let (_, healed) = self.chain.updated_history(self.configuration(at))?;
+        let (BeamMemory::Opening(_) | BeamMemory::Film { heals: false, .. }) = self.memory else { return None };
+        let (_, healed) = self.chain.updated_history(self.configuration(at), 0.0)?;
         let mut known =
             at.history.as_deref().filter(|_| healed > HEALED * self.rest_adhesion.abs() * self.process_length)?.clone();
-        known.rows.iter_mut().for_each(|row| *row = [row[2], row[3], row[2], row[3]]);
+        known.rows.iter_mut().for_each(|row| (row[0], row[1]) = (row[2], row[3]));
         Some(known)
     }
 }
@@ -518,7 +533,7 @@ const ALL: f64 = 1.0 - 1e-9;
 impl FrictionHistory<'_> {
     /// S of each place (nm), with what it remembers.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
-        self.0.iter().map(|(s, [place, mobilisation, limit, _])| (s, FrictionState { place, mobilisation, limit }))
+        self.0.iter().map(|(s, [place, mobilisation, limit, ..])| (s, FrictionState { place, mobilisation, limit }))
     }
 
     /// ∫ τ dS, the friction that the contact bears per width, nN/nm.

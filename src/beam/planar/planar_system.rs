@@ -1,7 +1,7 @@
 //! The planar beam as a [`System`]: what a solver asks of it. Its interface is the right end.
 
 use super::chain::{ChainFactors, Configuration, ConstraintGradient};
-use super::planar_beam::{FRONT, FaceMemory, PlanarBeam, TIP_ROTATION};
+use super::planar_beam::{BeamMemory, FRONT, PlanarBeam, TIP_ROTATION};
 use crate::adhesion::substrate::Substrate;
 use crate::beam::mesh::MeshKind;
 use crate::beam::reference_configuration::ReferenceConfiguration;
@@ -61,8 +61,12 @@ impl System for PlanarBeam {
         self.conservative
     }
 
+    fn has_close_points(&self) -> bool {
+        matches!(self.memory, BeamMemory::Film { .. })
+    }
+
     fn has_history(&self) -> bool {
-        matches!(self.memory, FaceMemory::Slip(_))
+        matches!(self.memory, BeamMemory::Slip(_) | BeamMemory::Film { .. })
     }
 
     fn round_off(&self) -> f64 {

@@ -26,9 +26,10 @@ pub struct Strip {
 }
 
 impl Strip {
-    /// The same of layers: with their height and their material, and its own law of stretch.
+    /// The same of layers: with their height and their material, and its own law of stretch and yielding.
     pub fn of_layers(self, layers: Laminate) -> Self {
-        let material = Material { stretch: self.material.stretch, ..layers.material() };
+        let Material { stretch, yield_strength, tangent_modulus, .. } = self.material;
+        let material = Material { stretch, yield_strength, tangent_modulus, ..layers.material() };
         Self { height: layers.height(), material, layers: Some(layers), ..self }
     }
 }

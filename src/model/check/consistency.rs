@@ -4,6 +4,7 @@ use super::drive;
 use super::error::{Measured, ModelError, ModelErrorKind};
 use crate::adhesion::section::line_load::LineLoad;
 use crate::adhesion::spatial_section::section::SectionShape;
+use crate::beam::section::Material;
 use crate::model::body::Body;
 use crate::model::body::profile::ProfileForm;
 use crate::model::body::spatula::Spatula;
@@ -201,7 +202,9 @@ fn ground(model: &PeelModel) -> Result<(), ModelError> {
 /// That of its body.
 fn body(model: &PeelModel) -> Result<(), ModelError> {
     match &model.body {
-        Body::Strip(strip) => strip_with_crack(strip, model).and_then(|()| strip_of_layers(strip, model)),
+        Body::Strip(strip) => strip_with_crack(strip, model)
+            .and_then(|()| strip_of_layers(strip, model))
+            .and_then(|()| strip_that_yields(strip, model)),
         Body::Spatula(spatula) => spatula_tip(spatula),
         Body::Profile(_) => Ok(()),
     }
@@ -234,6 +237,34 @@ fn strip_of_layers(strip: &Strip, model: &PeelModel) -> Result<(), ModelError> {
         (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
     ];
     none_beside("strip.layers", "layers", &beside)
+}
+
+/// That what hardens yields, less stiffly than it is elastic, and that what yields is of one material, in the plane on flat ground under a cohesive law
+/// with the contact moment, pulled from rest.
+fn strip_that_yields(strip: &Strip, model: &PeelModel) -> Result<(), ModelError> {
+    let Material { youngs_modulus, yield_strength, tangent_modulus, .. } = strip.material;
+    if let Some(value) = tangent_modulus {
+        let found = Measured { value, unit: "GPa" };
+        let error = |kind| Err(ModelError::new("strip.tangent_modulus", kind));
+        if yield_strength.is_none() {
+            return error(ModelErrorKind::NothingToHarden { found });
+        }
+        if value >= youngs_modulus {
+            return error(ModelErrorKind::NoSofter { found, youngs_modulus });
+        }
+    }
+    if yield_strength.is_none() {
+        return Ok(());
+    }
+    let (with, key) = ("a film that yields", "strip.yield_strength");
+    let beside = [
+        (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
+        (model.space.is_some(), "a scene in space"),
+        (strip.layers.is_some(), "layers"),
+        (!model.steps.is_empty(), "a step before the pull"),
+    ];
+    none_beside(key, with, &beside)?;
+    none_beside(key, with, &beside_law_of_face(model))
 }
 
 /// That the tip is rounded within the pad and narrows, and that the bend ends on the shaft.

@@ -70,6 +70,12 @@ pub enum ModelErrorKind {
     /// An exponent that mixes two works, without a work in shear.
     #[error("mixes the works of opening and of slip, and this adhesive has one work alone")]
     NothingToMix { found: Measured },
+    /// A tangent modulus without a yield strength.
+    #[error("is the slope of stress over strain beyond yielding, and the strip has no yield strength")]
+    NothingToHarden { found: Measured },
+    /// A tangent modulus that is not below Young's modulus.
+    #[error("is no less than Young's modulus, {youngs_modulus} GPa: the strip would not yield")]
+    NoSofter { found: Measured, youngs_modulus: f64 },
     /// Something beside what is not computed with it.
     #[error("is given beside {what}, which is not computed with {with}")]
     Beside { what: &'static str, with: &'static str },
@@ -178,6 +184,8 @@ impl ModelErrorKind {
             | Self::NotStretched { found }
             | Self::NotHeldInShear { found }
             | Self::NothingToMix { found }
+            | Self::NothingToHarden { found }
+            | Self::NoSofter { found, .. }
             | Self::TwoWorksInSpace { found }
             | Self::NoShearStrength { found }
             | Self::FrictionOffFlatGround { found }
@@ -238,6 +246,10 @@ impl ModelErrorKind {
             Self::NothingToMix { .. } => {
                 "Give `shear_work = \"300 J/m2\"` and a `shear_strength` beside it under [adhesion], or remove it."
             }
+            Self::NothingToHarden { .. } => {
+                "Give `yield_strength = \"100 MPa\"` beside it under [strip], or remove it."
+            }
+            Self::NoSofter { .. } => "Give a smaller one: a twentieth of `youngs_modulus`, say.",
             Self::NotStretched { .. } => {
                 "Peel a [strip] with `horizontal = \"fixed\"` under [grip], on a flat substrate, or remove `pretension`."
             }

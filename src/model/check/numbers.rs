@@ -52,6 +52,8 @@ pub static MODEL_NUMBERS: &[NumberOf<PeelModel>] = &[
     number("strip.poissons_ratio", "", Range::POISSONS_RATIO, |m| Some(strip(m)?.material.poissons_ratio)),
     number("strip.shear_correction", "", Positive, |m| Some(strip(m)?.material.shear_correction)),
     number("strip.bending_stiffness_factor", "", Positive, |m| Some(strip(m)?.material.bending_stiffness_factor)),
+    number("strip.yield_strength", "GPa", Positive, |m| strip(m)?.material.yield_strength),
+    number("strip.tangent_modulus", "GPa", Positive, |m| strip(m)?.material.tangent_modulus),
     number("strip.crack", "nm", Positive, |m| strip(m)?.crack),
 
     number("spatula.pad_length", "nm", Positive, |m| Some(spatula(m)?.pad_length)),

@@ -17,7 +17,7 @@ use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
 use crate::beam::planar::density::sheared::ShearedBeam;
 use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
-use crate::beam::planar::planar_beam::{FaceMemory, PlanarBeam};
+use crate::beam::planar::planar_beam::{BeamMemory, PlanarBeam};
 use crate::beam::planar::uniform_chain::elements::UniformChain;
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::varying::{Profile, Varying};
@@ -90,6 +90,7 @@ const TURNING: f64 = 0.5;
 /// changes.
 const SLIP_SPACING: f64 = 1.0 / 24.0;
 const OPENING_SPACING: f64 = 1.0 / 96.0;
+const BENDING_SPACING: f64 = 1.0 / 48.0;
 /// Most remembered openings: each point of a path has its own.
 const MOST_OPENINGS: f64 = 20_000.0;
 
@@ -147,15 +148,18 @@ impl PeelModel {
         };
         let mut beam = PlanarBeam {
             memory: self.face_memory(&placement.rest),
-            chain: match self.adhesion.face_law() {
+            chain: match self.face_law() {
                 Some(sheared) => {
                     // what is held along the ground holds the free end
                     let end = if sheared.is_sliding() { Some(0.0) } else { None };
                     let pinned_left = [end, None, None];
-                    if self.adhesion.healing {
-                        three_field(ShearedBeam::<false> { profile, law, sheared }, how.order, pinned_left)
+                    let (heals, yielding) = (self.adhesion.healing, self.bending_law());
+                    if heals && yielding.is_none() {
+                        let beam = ShearedBeam::<false> { profile, law, sheared, heals, yielding };
+                        three_field(beam, how.order, pinned_left)
                     } else {
-                        three_field(ShearedBeam::<true> { profile, law, sheared }, how.order, pinned_left)
+                        let beam = ShearedBeam::<true> { profile, law, sheared, heals, yielding };
+                        three_field(beam, how.order, pinned_left)
                     }
                 }
                 None => chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),
@@ -183,7 +187,7 @@ impl PeelModel {
             sees_tilt: law.line_load != LineLoad::AxisGap,
             barrier: law.barrier(),
             slip_reach: self.adhesion.sheared_law().map(|law| law.slip_reach()),
-            conservative: self.has_potential() && friction.is_none(),
+            conservative: self.has_potential() && friction.is_none() && !self.yields(),
             limits: self.limits(),
             inertia: None,
             substrate,
@@ -275,15 +279,20 @@ impl PeelModel {
     }
 
     /// What the lower face remembers in the stress-free configuration: that it has not slid, or has nowhere been.
-    fn face_memory(&self, rest: &ReferenceConfiguration) -> FaceMemory {
+    fn face_memory(&self, rest: &ReferenceConfiguration) -> BeamMemory {
         if let Some(law) = self.friction_law() {
-            return FaceMemory::Slip(Arc::new(self.not_slid(rest, &law)));
+            return BeamMemory::Slip(Arc::new(self.not_slid(rest, &law)));
+        }
+        let nowhere = |spacing| Arc::new(History::new(self.length(), spacing, |_| [0.0; MEMORIES]));
+        let least = self.length() / MOST_OPENINGS;
+        if self.yields() {
+            let history = nowhere((BENDING_SPACING * self.process_length()).max(least));
+            return BeamMemory::Film { history, heals: self.adhesion.healing };
         }
         if self.adhesion.healing {
-            return FaceMemory::Nothing;
+            return BeamMemory::Nothing;
         }
-        let spacing = (OPENING_SPACING * self.opening_length()).max(self.length() / MOST_OPENINGS);
-        FaceMemory::Opening(Arc::new(History::new(self.length(), spacing, |_| [0.0; MEMORIES])))
+        BeamMemory::Opening(nowhere((OPENING_SPACING * self.opening_length()).max(least)))
     }
 
     /// The lower face in the stress-free configuration, which has not slid.
@@ -291,7 +300,9 @@ impl PeelModel {
         let face = |s: f64| {
             let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
             let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
-            [x + half * rotation.sin(), 0.0, limit, 0.0]
+            let mut row = [0.0; MEMORIES];
+            (row[0], row[2]) = (x + half * rotation.sin(), limit);
+            row
         };
         History::new(self.length(), SLIP_SPACING * self.feature_length(), face)
     }

@@ -113,6 +113,7 @@ impl PeelModel {
             (self.friction_law().is_some(), "friction"),
             (self.adhesion.shear_strength.is_some(), "a shear strength of the adhesion"),
             (!self.adhesion.healing, "an adhesion that does not heal"),
+            (self.yields(), "a film that yields"),
             (!self.steps.is_empty(), "a step before the pull"),
             (self.pull.turn != 0.0, "a grip that turns as it goes"),
             (self.grip.pretension.is_some(), "a pretension"),

@@ -8,7 +8,7 @@ use crate::beam::mesh::{MeshIntervals, MeshKind, MeshPolicy};
 use crate::beam::planar::chain::MOST_FIELDS;
 use crate::beam::planar::density::reissner::ReissnerRod;
 use crate::beam::planar::model_limits::ModelLimits;
-use crate::beam::planar::planar_beam::{FaceMemory, FrontPosition, PlanarBeam};
+use crate::beam::planar::planar_beam::{BeamMemory, FrontPosition, PlanarBeam};
 use crate::beam::reference_configuration::{ReferenceConfiguration, ReferenceCurve};
 use crate::beam::section::Section;
 use crate::model::peel::Hold;
@@ -136,7 +136,7 @@ impl RodModel {
             sees_tilt: false,
             barrier: Barrier::Pole,
             substrate: Substrate::Flat,
-            memory: FaceMemory::Nothing,
+            memory: BeamMemory::Nothing,
             slip_reach: None,
             conservative: true,
             limits: ModelLimits::default(),

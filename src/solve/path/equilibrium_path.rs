@@ -41,6 +41,8 @@ pub struct Path<'p> {
     mended: bool,
 }
 
+/// Tries of one step after which points of a path that asks for close ones are closer than its slopes are known.
+const CLOSE: usize = 5;
 /// Most tries of one step, each shorter.
 const MOST_TRIES: usize = 14;
 /// The try before which the slope at the newest point is computed anew.
@@ -216,6 +218,7 @@ impl<'p> Path<'p> {
         let (mut points, mut labels) = self.labelled(&weights);
         let outset = self.points.len() <= 2;
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
+        step = step.abs().min(self.longest(&weights, &slope)).copysign(step);
         let (mut cause, mut crosses) = (SolveError::SingularGrip, false);
         for tries in 0..MOST_TRIES {
             if tries == DOUBTFUL
@@ -242,7 +245,9 @@ impl<'p> Path<'p> {
             match solve(self.problem, start, &constraint, &self.newton(), &mut self.ws) {
                 Ok(next) => {
                     self.iterations += next.iterations;
-                    let turned = points.len() > 1 && self.turns_sharply(&slope, &next);
+                    // points that are as close as that to one another have slopes that are not those of the path
+                    let close = tries > CLOSE && self.problem.system.has_close_points();
+                    let turned = points.len() > 1 && !close && self.turns_sharply(&slope, &next);
                     let refused = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
                     let seen = self.seen(&newest, &next, crosses);
                     if let StepSeen::Elsewhere { across } = seen {
@@ -251,7 +256,7 @@ impl<'p> Path<'p> {
                             (crosses, step) = (true, near.step_across(self.problem, &weights, &slope));
                         }
                     } else if turned
-                        || self.notice != Notice::Scale && self.leads_back(&next)
+                        || self.notice != Notice::Scale && !close && self.leads_back(&next)
                         || next.correction > REFUSE * self.step_tolerance() && points.len() > 1
                     {
                         (cause, step) = (refused, step * 0.4);
@@ -419,6 +424,13 @@ impl<'p> Path<'p> {
             }
         }
         (best.0, stride * best.1)
+    }
+
+    /// The longest step that the first monitor allows.
+    fn longest(&self, weights: &Observables, slope: &Observables) -> f64 {
+        let PathOptions { stride, longest: Some(longest), .. } = self.options else { return f64::INFINITY };
+        let most = stride * longest * self.problem.measure.monitors[0];
+        most / (slope.monitors[0] / weights.dot(slope)).abs()
     }
 
     fn stopped(&self, tries: usize, cause: SolveError) -> PathError {

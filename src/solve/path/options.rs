@@ -20,6 +20,9 @@ pub struct PathOptions {
     pub step_tolerance: f64,
     /// Length of a step over that which predictions allow, at most 1.
     pub stride: f64,
+    /// Most that the first monitor changes by on a step at a stride of one, as far as the slope tells, in its unit
+    #[serde(default)]
+    pub longest: Option<f64>,
     /// Error wanted of a solution, likewise.
     pub tolerance: f64,
     /// Most points that a prediction uses: 2 is the secant
@@ -37,6 +40,7 @@ impl Default for PathOptions {
             elements: 16,
             step_tolerance: 1.2e-2,
             stride: 1.0,
+            longest: None,
             tolerance: 1e-8,
             prediction: MOST_POINTS,
             first_displacement: 8e-3,

@@ -169,7 +169,8 @@ pub fn locate(
             Ok(solution) => solution,
             // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
             Err(cause) if problem.system.has_history() => {
-                let known = segment.extreme(turn.pick(), rising, (from, to)).ok_or(cause)?;
+                let close = || problem.system.has_close_points().then(|| segment.first());
+                let known = segment.extreme(turn.pick(), rising, (from, to)).or_else(close).ok_or(cause)?;
                 let spanned = spanned_at_corner(&segment, turn, &known, [low, high]);
                 return Ok(beside(problem, &segment, known, spanned, iterations, ws));
             }

@@ -53,9 +53,15 @@ impl Accuracy {
         Self { choice, ..self }
     }
 
-    /// The same as far as it can be had: on ground that is not flat with x at every node.
+    /// The same as far as it can be had: on ground that is not flat with x at every node, and of a film that yields to 1e-3, on a mesh
+    /// that stays.
     pub(in crate::study) fn fitted(&self, model: &PeelModel) -> Self {
-        self.with(Choice { form: model.form(self.choice.form), ..self.choice })
+        let form = model.form(self.choice.form);
+        if !model.yields() {
+            return self.with(Choice { form, ..self.choice });
+        }
+        let mesh = MeshKind::Uniform;
+        Self { relative: self.relative.max(BEST_YIELDING), ..self.with(Choice { form, mesh, ..self.choice }) }
     }
 
     /// Order p of the elements.
@@ -113,9 +119,13 @@ const STICKING: f64 = 1.0;
 const AT_CORNERS: f64 = 32.0;
 /// Elements besides for each factor e by which the shear lag length of a strip that its adhesive holds is shorter than its process zone, at 1e-6.
 const AT_SHEAR_LAG: f64 = 8.0;
-/// Most elements that are chosen, and where the law has corners.
+/// Length of the elements of a film that yields, over that of the process zone, at the accuracy 1e-3; its mesh stays where it is. On one that moves with
+/// the front, curvatures that have turned are found anew at other places from step to step, and Newton's method does not come to rest on them.
+const WHERE_YIELDING: f64 = 0.33;
+/// Most elements that are chosen, where the law has corners, and where a film yields.
 const MOST_ELEMENTS: usize = 400;
 const MOST_CORNERED: usize = 1000;
+const MOST_YIELDING: usize = 10_000;
 /// Error wanted of a prediction along the path, relative to the gap, at the accuracy 1e-6; steps shorten with its fourth
 /// root, so that the curve between the points keeps up with the points.
 const STEP_TOLERANCE: f64 = 1.2e-2;
@@ -124,6 +134,10 @@ const STEP_TOLERANCE_IN_SPACE: f64 = 4e-3;
 /// Elements in space, over those in the plane: of a uniform section, and of one that varies, whose pad twists off along its length.
 const IN_SPACE: f64 = 1.25;
 const VARYING_IN_SPACE: f64 = 1.5;
+/// Longest step along the path of a film that yields, in process zones, at the accuracy 1e-3, and the best accuracy that is aimed at: the turns of its
+/// curvature lie between points, and what is missed of them falls with the square of the steps.
+const LONGEST_YIELDING: f64 = 0.11;
+const BEST_YIELDING: f64 = 1e-3;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
 
@@ -160,6 +174,8 @@ impl Resolution {
         let lag = model.adhesion.shear_strength.and_then(|_| model.shear_lag_length());
         let shorter = lag.map_or(0.0, |lag| (model.process_length() / lag).ln().max(0.0));
         let elements = elements + AT_SHEAR_LAG * sharp * shorter;
+        let shortest = WHERE_YIELDING * model.process_length() * (relative / BEST_YIELDING).powf(0.25);
+        let elements = if model.yields() { elements.max(model.length() / shortest) } else { elements };
         let elements = match model.sticking_length() {
             None => elements,
             Some(_) => elements + model.length() / (STICKING * model.feature_length() / sharp),
@@ -185,6 +201,7 @@ impl Resolution {
             elements: self.elements,
             step_tolerance: self.step_tolerance,
             stride: self.stride,
+            longest: model.yields().then(|| LONGEST_YIELDING * (relative / BEST_YIELDING).sqrt()),
             prediction: MOST_POINTS,
             tolerance: (1e-2 * relative).clamp(1e-12, 1e-6),
             first_displacement: self.stride * FIRST * model.first_way(),
@@ -224,7 +241,11 @@ pub(in crate::study) fn aim(model: &PeelModel, accuracy: &Accuracy) -> (Accuracy
 
 /// Most elements that are chosen for a model.
 pub(in crate::study) fn most_elements(model: &PeelModel) -> usize {
-    if cornered(model) > 1.0 { MOST_CORNERED } else { MOST_ELEMENTS }
+    match cornered(model) {
+        _ if model.yields() => MOST_YIELDING,
+        corners if corners > 1.0 => MOST_CORNERED,
+        _ => MOST_ELEMENTS,
+    }
 }
 
 /// How many times as many elements the corners of the model's law take, unless elements are cut there: the narrower

@@ -30,6 +30,9 @@ pub enum NoTest {
     /// The adhesion does not heal.
     #[error("adhesion.healing is false: the test comes back to where it began, as a strip does that adheres again")]
     Healing,
+    /// The film yields.
+    #[error("strip.yield_strength is given: a film that has yielded does not come back to where the test began")]
+    Yielding,
     /// The grip turns as it goes.
     #[error("drive.turn rotates the grip during the pull; the work of the machine is that of a force alone")]
     Turn,
@@ -43,6 +46,7 @@ impl NoTest {
             Self::Friction => "Omit --observed, or remove the table [friction]",
             Self::NoPotential => "Omit --observed, or use another line_load or law, or no shear_work",
             Self::Healing => "Omit --observed, or remove adhesion.healing",
+            Self::Yielding => "Omit --observed, or remove strip.yield_strength",
             Self::Steps => "Omit --observed, or remove drive.steps",
             Self::Turn => "Omit --observed, or remove drive.turn",
         };
@@ -103,6 +107,9 @@ fn tested(model: PeelModel, accuracy: &Accuracy) -> Result<PeelModel, NoTest> {
     }
     if !model.adhesion.healing {
         return Err(NoTest::Healing);
+    }
+    if model.yields() {
+        return Err(NoTest::Yielding);
     }
     if !model.has_potential() {
         return Err(NoTest::NoPotential);

@@ -187,6 +187,7 @@ impl LoadingSequence {
             elements: self.elements,
             step_tolerance: STEP_TOLERANCE,
             stride: 1.0,
+            longest: None,
             tolerance: ROUGH,
             prediction: MOST_POINTS,
             first_displacement: first,

@@ -90,6 +90,8 @@ pub enum NotOutOfPlane {
     Shear,
     #[error("adhesion.healing is false, and what such an adhesion does out of the plane is not computed")]
     Healing,
+    #[error("strip.yield_strength is given, and what a film that yields does out of the plane is not computed")]
+    Yielding,
     #[error("strip.stretch is not linear, and what such a strip does out of the plane is not computed")]
     Stretch,
     #[error(
@@ -116,6 +118,7 @@ impl NotOutOfPlane {
             (model.friction_law().is_some(), Self::Friction),
             (model.adhesion.shear_strength.is_some(), Self::Shear),
             (!model.adhesion.healing, Self::Healing),
+            (model.yields(), Self::Yielding),
             (!model.material().stretch.is_linear(), Self::Stretch),
             (model.has_layers(), Self::Layers),
             (!model.has_potential(), Self::NoPotential),
@@ -133,6 +136,7 @@ impl NotOutOfPlane {
             Self::Friction => "remove the table [friction]",
             Self::Shear => "remove adhesion.shear_strength",
             Self::Healing => "remove adhesion.healing",
+            Self::Yielding => "remove strip.yield_strength",
             Self::Stretch => "remove strip.stretch",
             Self::Layers => "remove strip.layers",
             Self::NoPotential => "use another line_load or law",

@@ -296,16 +296,24 @@ impl Shorter<'_> {
             let mut followed = follow(self.model, self.problem, options, self.far, relative, self.limits, self.budget);
             iterations += followed.iterations;
             followed.leave_out_unresolved();
-            let common = Common::of(&best.peel.limit_points, &followed);
+            // steps that are close by their length alone may turn on a level force wherever they are
+            let least = if self.problem.system.has_close_points() { relative } else { 0.0 };
+            let common = Common::of(&best.peel, &followed, least);
             let others = common.of_longer(&best.peel.limit_points);
-            if followed.trouble.is_none() && !followed.cut {
+            let whole = followed.trouble.is_none() && !followed.cut;
+            if whole {
                 common.leave(&mut followed);
             }
-            if let Some((shorter, longer)) = common.differ().filter(|_| followed.trouble.is_none() && !followed.cut) {
+            // how a film that yields lets go at its very end depends on the steps; what lies before is what is asked
+            let differ = if least > 0.0 && !others.is_empty() { None } else { common.differ() };
+            if let Some((shorter, longer)) = differ.filter(|_| whole) {
                 followed.trouble = Some(PathFailure::StepsMatter { shorter, longer, same: others.len() });
             }
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
             let change = next.allow_for(&others, self.problem);
+            if self.problem.system.has_close_points() {
+                next.peel.bound_plateau_by(&best.peel);
+            }
             next.confirm_steps(wholes);
             wholes.extend(next.whole());
             best = next;

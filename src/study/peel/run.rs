@@ -14,13 +14,13 @@ use crate::study::asked::stop_criteria::StopCriteria;
 /// How a path is followed, one way after another until it can be used.
 const PACES: [Pace; 3] = [Pace::Quick, Pace::Wary, Pace::Watchful];
 
-/// In space a path that was lost takes as long as many that are not, and is not watched. With friction the other paces take ten times as long and
-/// find next to nothing: what slides depends on the steps there.
+/// In space a path that was lost takes as long as many that are not, and is not watched. With friction, and of a film that yields, the other paces take
+/// ten times as long and find next to nothing: what slides or yields depends on the steps there.
 fn paces(model: &PeelModel) -> &'static [Pace] {
-    match (model.friction_law(), model.space) {
-        (Some(_), _) => &PACES[..1],
-        (None, Some(_)) => &PACES[..2],
-        (None, None) => &PACES,
+    match model.space {
+        _ if model.friction_law().is_some() || model.yields() => &PACES[..1],
+        Some(_) => &PACES[..2],
+        None => &PACES,
     }
 }
 

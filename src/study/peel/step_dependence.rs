@@ -5,7 +5,8 @@
 //! left out, and they have the same ones up to a place where that holds as far as there.
 
 use super::equilibrium_path::path_end::Followed;
-use super::solution_history::LimitPoint;
+use super::result::Peel;
+use super::solution_history::{LimitPoint, PathPoint};
 use crate::beam::element::basis::Basis;
 use crate::solve::newton::Solution;
 use crate::solve::path::predictor::lagrange_weights;
@@ -15,7 +16,7 @@ use crate::solve::points::search::LimitPointKind;
 use crate::solve::problem::Problem;
 use crate::solve::state::Observables;
 use crate::solve::workspace::Workspace;
-use crate::study::asked::error_bounds::DIFFERENCE_BOUND_FACTOR;
+use crate::study::asked::error_bounds::{DIFFERENCE_BOUND_FACTOR, STRIDE_BOUND_FACTOR};
 use std::sync::Arc;
 
 /// Pairs between which the force changes by more than this share of itself are no ripple of the steps.
@@ -75,9 +76,9 @@ fn without_ripple(marks: &[Mark], ripple: f64) -> (Vec<usize>, f64) {
     }
 }
 
-/// What two lists of limit points have in common, with as little left out of them as can be.
-fn common(lists: [&[Mark]; 2]) -> Common {
-    let mut ripple = 0.0;
+/// What two lists of limit points have in common, with as little left out of them as can be beyond what changes the force by less than the share `least`.
+fn common(lists: [&[Mark]; 2], least: f64) -> Common {
+    let mut ripple = least;
     loop {
         let [one, other] = lists.map(|marks| without_ripple(marks, ripple));
         let pairs = one.0.iter().zip(&other.0);
@@ -93,11 +94,20 @@ fn common(lists: [&[Mark]; 2]) -> Common {
 }
 
 impl Common {
-    /// Of the limit points of a path and of one with shorter steps.
-    pub(super) fn of(longer: &[LimitPoint], shorter: &Followed) -> Self {
-        let longer: Vec<Mark> = longer.iter().map(Mark::of).collect();
-        let shorter: Vec<Mark> = shorter.turns.iter().map(Mark::located).collect();
-        common([&longer, &shorter])
+    /// Of the limit points of a path and of one with shorter steps. Where a path ends counts with them: a force that turned last by less than ripple
+    /// has not turned.
+    pub(super) fn of(longer: &Peel, shorter: &Followed, least: f64) -> Self {
+        let end = |displacement, force| Mark { kind: LimitPointKind::Load, displacement, force };
+        let at_end = longer.points.last().map(|at| end(at.displacement, at.force));
+        let of_longer: Vec<Mark> = longer.limit_points.iter().map(Mark::of).chain(at_end).collect();
+        let at_end = shorter.points.last().map(|at| end(at.observables.displacement, at.observables.force));
+        let of_shorter: Vec<Mark> = shorter.turns.iter().map(Mark::located).chain(at_end).collect();
+        let mut found = common([&of_longer, &of_shorter], least);
+        for (kept, turns) in found.kept.iter_mut().zip([longer.limit_points.len(), shorter.turns.len()]) {
+            kept.retain(|&index| index < turns);
+            found.same = found.same.min(kept.len());
+        }
+        found
     }
 
     /// Those that both have, of the path with longer steps.
@@ -114,6 +124,31 @@ impl Common {
     /// Leaves the path with shorter steps with those limit points that both have.
     pub(super) fn leave(&self, shorter: &mut Followed) {
         shorter.keep_turns(&self.kept[1][..self.same]);
+    }
+}
+
+impl Peel {
+    /// Bounds the steady force by what longer steps made of it at its displacement, and by no less than the accuracy asked for. The place is where the
+    /// force is that within the bound.
+    pub(super) fn bound_plateau_by(&mut self, longer: &Self) {
+        let Some(plateau) = &mut self.plateau else { return };
+        let curve = longer.points.windows(2).filter(|pair| {
+            let [a, b] = [pair[0].displacement, pair[1].displacement];
+            (a - plateau.displacement) * (b - plateau.displacement) <= 0.0
+        });
+        let at = |pair: &[PathPoint]| {
+            let [a, b] = [&pair[0], &pair[1]];
+            let share = (plateau.displacement - a.displacement) / (b.displacement - a.displacement);
+            a.force + share * (b.force - a.force)
+        };
+        let changes = curve.map(|pair| (at(pair) - plateau.force).abs());
+        let Some(change) = changes.filter(|change| change.is_finite()).min_by(f64::total_cmp) else { return };
+        let bound = (STRIDE_BOUND_FACTOR * change).max(self.asked * plateau.force);
+        let beside = |point: &&PathPoint| (point.force - plateau.force).abs() <= bound;
+        let (before, behind) = self.points.split_at((plateau.after + 1).min(self.points.len()));
+        let near = before.iter().rev().take_while(beside).chain(behind.iter().take_while(beside));
+        let away = near.map(|point| (point.displacement - plateau.displacement).abs()).fold(0.0, f64::max);
+        (plateau.force_error, plateau.displacement_error) = (Some(bound), Some(away));
     }
 }
 
@@ -172,9 +207,12 @@ pub(in crate::study) struct StepCurve {
 }
 
 impl StepCurve {
-    /// The step behind `points[index]`.
+    /// The step behind `points[index]`; by what the path has by itself where its points are as close as its curvature asks for.
     pub(crate) fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
         let segment = PathSegment::around(problem, points, index);
+        if problem.system.has_close_points() {
+            return Self::interpolated(&segment, segment.end(), &points[index + 1]);
+        }
         Self::until(problem, &segment, segment.end(), &points[index + 1], ws)
     }
 
@@ -314,11 +352,11 @@ mod tests {
             (Load, 71.0, 0.129_076_1),
         ];
         let rippled = marks(&[&[(Load, 0.4, 0.58)], &level[..], &[(Displacement, 141.6, 0.107)]].concat());
-        let found = common([&plain, &rippled]);
+        let found = common([&plain, &rippled], 0.0);
         assert_eq!(found, Common { kept: [vec![0, 1], vec![0, 5]], same: 2 });
         assert_eq!(found.differ(), None);
         // where both have the same, nothing is left out
-        assert_eq!(common([&rippled, &rippled]).kept, [(0..6).collect::<Vec<_>>(), (0..6).collect()]);
+        assert_eq!(common([&rippled, &rippled], 0.0).kept, [(0..6).collect::<Vec<_>>(), (0..6).collect()]);
     }
 
     /// Where two paths have other limit points behind some place, those before it are common to both.
@@ -326,7 +364,7 @@ mod tests {
     fn what_lies_before_a_difference_is_common() {
         let one = marks(&[(Load, 0.4, 0.58), (Load, 3.0, 0.2), (Load, 9.0, 0.4), (Displacement, 12.0, 0.3)]);
         let other = marks(&[(Load, 0.4, 0.58), (Displacement, 2.0, 0.25)]);
-        let found = common([&one, &other]);
+        let found = common([&one, &other], 0.0);
         assert_eq!((found.same, found.differ()), (1, Some((2, 4))));
     }
 }

@@ -131,7 +131,7 @@ impl<'p> PlanarReader<'p> {
         let (sin, cos) = rotation.sin_cos();
         let closest = beam.substrate.project(x, y);
         let tilt = rotation - closest.sin.atan2(closest.cos);
-        let (energy, gradient) = match self.model.adhesion.face_law() {
+        let (energy, gradient) = match self.model.face_law() {
             Some(law) => {
                 let [distance, slip] = at.history.as_ref().map_or([0.0; 2], |history| history.at(place));
                 let place = [x - place, level];

@@ -68,6 +68,10 @@ const BRANCH: &[&str] = &["--branch", "--set", "strip.width=40 nm"];
 const CLOSED: &[&str] =
     &["--set", "adhesion.healing=false", "--set", "drive.steps=[\"lift 1.2 mm\", \"press 0.6 mm\"]"];
 
+/// A film that yields, for as long as it takes its front to go on by a process zone
+const YIELDING: &[&str] =
+    &["--set", "strip.yield_strength=60 MPa", "--set", "accuracy.relative=1e-2", "--set", "bounds.displacement=0.6 mm"];
+
 /// Runs that together have every key.
 const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-100nm", &[&["--observed", "--at", "u=30 nm"]]),
@@ -83,6 +87,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-sideways", &[UPWARD]),
     ("strip-rolled", &[CUT]),
     ("double-cantilever", &[CLOSED]),
+    ("tape", &[YIELDING]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),
 ];

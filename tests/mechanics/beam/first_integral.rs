@@ -168,6 +168,7 @@ fn finely(problem: &Problem, stop: fn(&Solution) -> bool) -> Vec<Arc<Solution>> 
         elements: 40,
         step_tolerance: 1e-5,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: 1e-10,
         first_displacement: 0.002,

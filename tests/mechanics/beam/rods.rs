@@ -75,7 +75,7 @@ fn the_density_is_the_stored_energy_of_a_curved_rod() {
                 }
             }
             // the section, from slopes and back from forces
-            let state = density.section_state(place, [0.0, 0.0, at[0]], [at[1], at[2], at[3]], 0.0);
+            let state = density.section_state(place, [0.0, 0.0, at[0]], [at[1], at[2], at[3]], 0.0, [0.0; 7]);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let back = density.section_state_from_forces(place, [0.0, 0.0, at[0]], forces, 0.0);
             let soft = size / section.axial.min(section.shear).min(section.bending);
@@ -202,6 +202,7 @@ fn an_arch_snaps_through_and_a_short_path_says_so() {
         elements: 6,
         step_tolerance: 1e-3,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: -0.01 * rise,

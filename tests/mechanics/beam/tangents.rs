@@ -78,11 +78,10 @@ impl Case {
         let Section { axial, shear, bending } = self.section;
         let youngs_modulus = axial / (width * height);
         let material = Material {
-            youngs_modulus,
-            poissons_ratio: 0.2,
             shear_correction: 2.4 * shear / axial,
             bending_stiffness_factor: bending / (youngs_modulus * rectangle_second_moment(height, width)),
             stretch,
+            ..Material::of(youngs_modulus, 0.2)
         };
         Profile::Varying(Varying::new(Arc::new(self), material))
     }
@@ -260,7 +259,7 @@ fn three_field_density() {
                 let beam = ReissnerBeam { profile: c.stretched(stretch), law, count: TiltCount::Coarse };
                 let response = beam.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
                 compare(&response, stored, adhesion, 1, law.has_potential())?;
-                let state = beam.section_state(0.0, [0.0, c.gap, c.rotation], c.slopes, 0.0);
+                let state = beam.section_state(0.0, [0.0, c.gap, c.rotation], c.slopes, 0.0, [0.0; 7]);
                 let forces = [state.horizontal_force, state.vertical_force, state.moment];
                 let back = beam.section_state_from_forces(0.0, [0.0, c.gap, c.rotation], forces, 0.0);
                 let close = (back.stored - state.stored).abs() <= 1e-9 * state.stored.abs();
@@ -298,7 +297,7 @@ fn section_states_agree_with_the_density() {
             };
             let beam = ReissnerBeam { profile: c.profile(), law, count: TiltCount::Coarse };
             let value = [0.0, c.gap, c.rotation];
-            let state = beam.section_state(0.0, value, c.slopes, 0.0);
+            let state = beam.section_state(0.0, value, c.slopes, 0.0, [0.0; 7]);
             let response = beam.response(0.0, value, c.slopes, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let size = section.axial + section.shear + section.bending;
@@ -313,8 +312,13 @@ fn section_states_agree_with_the_density() {
 
             // the two-field form, given the same H, has the same section
             let reduced = ReducedBeam::<true> { profile: c.profile(), law, count: TiltCount::Coarse };
-            let same =
-                reduced.section_state(0.0, [c.gap, c.rotation], [c.slopes[1], c.slopes[2]], state.horizontal_force);
+            let same = reduced.section_state(
+                0.0,
+                [c.gap, c.rotation],
+                [c.slopes[1], c.slopes[2]],
+                state.horizontal_force,
+                [0.0; 7],
+            );
             close(same.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;
             close(same.vertical_force, state.vertical_force, size)?;
             close(same.stored, state.stored, size)?;

@@ -78,6 +78,7 @@ fn walk(model: &PeelModel, stride: f64, far: f64) -> (BeamProblem, Vec<Arc<Solut
         elements: 60,
         step_tolerance: 1e-2,
         stride,
+        longest: None,
         prediction: 8,
         tolerance: 1e-9,
         first_displacement: 0.008,

@@ -225,6 +225,7 @@ fn points(problem: &Problem, until: f64) -> Vec<std::sync::Arc<peelkit::solve::S
         elements: 24,
         step_tolerance: 1e-2,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: 1e-11,
         first_displacement: 0.008,

@@ -78,6 +78,8 @@ fn set(model: &mut PeelModel, key: &str, number: f64) {
                 "height" => &mut strip.height,
                 "width" => &mut strip.width,
                 "crack" => strip.crack.insert(number),
+                "yield_strength" => strip.material.yield_strength.insert(number),
+                "tangent_modulus" => strip.material.tangent_modulus.insert(number),
                 _ => panic!("{key} is not in this test"),
             } = number;
         }
@@ -140,6 +142,12 @@ fn having(key: &str) -> PeelModel {
         ("substrate", _) => ground(Substrate::Sinusoid(Sinusoid { height: 1.0, wavelength: 90.0, offset: 0.0 })),
         ("drive", "azimuth") => PeelModel { space: Some(Space::default()), ..strip() },
         ("strip", "crack") => cracked(20.0),
+        ("strip", "yield_strength" | "tangent_modulus") => {
+            let mut model = strip();
+            set(&mut model, "strip.yield_strength", 0.1);
+            model.adhesion.attraction = Attraction::Cohesive(CohesiveShape::Bilinear);
+            model
+        }
         _ => strip(),
     }
 }

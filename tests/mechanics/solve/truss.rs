@@ -46,6 +46,7 @@ fn options() -> PathOptions {
         elements: 0,
         step_tolerance: 1e-3,
         stride: 1.0,
+        longest: None,
         tolerance: 1e-12,
         prediction: 8,
         first_displacement: -1e-3,

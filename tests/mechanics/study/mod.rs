@@ -29,3 +29,4 @@ mod steady_force;
 mod terms;
 mod upright;
 mod warnings;
+mod yielding;

@@ -150,6 +150,7 @@ fn path_of(problem: &Problem, elements: usize, most: usize) -> Vec<Arc<Solution>
         elements,
         step_tolerance: 1e-2,
         stride: 1.0,
+        longest: None,
         tolerance: 1e-9,
         prediction: 8,
         first_displacement: 0.008,

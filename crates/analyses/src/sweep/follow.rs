@@ -11,6 +11,7 @@ pub fn not_followed(cases: &Cases) -> Option<&'static str> {
     let why = |case: &Case| match &case.scene.model {
         model if model.friction_law().is_some() => Some("without friction only, and friction.strength is given"),
         model if !model.adhesion.healing => Some("of an adhesion that heals only, and adhesion.healing is false"),
+        model if model.yields() => Some("of films that are elastic only, and strip.yield_strength is given"),
         model if !model.ground.substrate.is_flat() => Some("on a flat substrate only, and substrate.shape is another"),
         model if !model.steps.is_empty() => Some("from rest only, and drive.steps has steps before the pull"),
         _ => None,

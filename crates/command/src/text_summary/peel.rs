@@ -11,7 +11,7 @@ use peelkit::solve::Pace;
 use peelkit::study::{
     Bound, Contact, EventAt, Events, LargestComputedForce, LeftOut, LimitPoint, LimitPointKind, MissedStation,
     NotOutOfPlane, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity,
-    Stations, TermDecisions, TermEffect, WarningKind,
+    Stations, TermDecisions, TermEffect, WarningKind, Yielded,
 };
 use peelkit::units::PreferredUnits;
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
@@ -116,6 +116,7 @@ pub fn peel(
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
+    lines.extend(peel.yielded().iter().map(|yielded| ("yielding", bent(yielded))));
     lines.extend((!scene.model.adhesion.healing).then(|| ("healing", closing(peel, &units))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.extend(warnings(peel));
@@ -338,6 +339,20 @@ fn slid(sliding: &Sliding) -> String {
     )
 }
 
+/// How a film has yielded.
+fn bent(yielded: &Yielded) -> String {
+    let Yielded { work_per_area, largest_curvature, axial_share, .. } = *yielded;
+    if largest_curvature <= 1.0 {
+        return format!("none: at most {largest_curvature:.2} times the curvature at which it begins");
+    }
+    let left = work_per_area.map(|work| format!("bending leaves {work:.4} J/m² in the film; "));
+    format!(
+        "{}it is bent to {largest_curvature:.3} times the curvature at which it yields; left out: its axial force, which takes {:.1e} of the yield moment",
+        left.unwrap_or_default(),
+        axial_share * axial_share
+    )
+}
+
 /// Whether what does not heal closes on the way.
 fn closing(peel: &Peel, units: &Units) -> String {
     match peel.closing() {
@@ -443,7 +458,9 @@ fn end(end: &PathEnd) -> String {
         PathEnd::TurnedBack => "u has returned to 0",
         PathEnd::BackInPlane => "the strip has come back into its plane, on the planar path",
         PathEnd::Sliding => "the whole contact slides, at a constant force from here on",
-        PathEnd::Snapped => "the strip snaps off; equilibrium does not determine how it slides during the jump",
+        PathEnd::Snapped => {
+            "the strip snaps off; equilibrium does not determine how it slides or yields during the jump"
+        }
         PathEnd::BondedPartUnstable(_) => "no stable state is near",
         PathEnd::Upright(_) => "no smooth solution goes on from there",
         PathEnd::Bound(Bound::Until(_)) => "what the scene asks for is behind",

@@ -4,7 +4,7 @@ use super::located::finite;
 use crate::writing::record::{Fields, Record};
 use peelkit::model::{DerivedOfSection, DerivedQuantities, DimensionlessGroups};
 use peelkit::study::{
-    Contact, KeptReason, LeftOut, SMALLEST_RADIUS, Sliding, Term, TermDecisions, TermEffect, Warning,
+    Contact, KeptReason, LeftOut, SMALLEST_RADIUS, Sliding, Term, TermDecisions, TermEffect, Warning, Yielded,
 };
 
 impl Record for DerivedQuantities {
@@ -131,6 +131,17 @@ pub fn ground_warning(contact: &Contact) -> Option<String> {
             100.0 * worst
         )
     })
+}
+
+impl Record for Yielded {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("plastic_work_aJ", "work that bending has left in the film since rest", |yielded| yielded.work);
+        of.sometimes("plastic_work_J_per_m2", "the same of a unit of area that peels, over the process zone before", |yielded| yielded.work_per_area);
+        of.field("yielded_length_nm", "length that has yielded", |yielded| yielded.length);
+        of.field("largest_curvature_over_elastic", "largest curvature that a section has had, over that at which its surfaces yield", |yielded| yielded.largest_curvature);
+        of.field("axial_force_over_yield", "largest axial force over that at which the whole section yields; its square is the share of the yield moment that is left out", |yielded| yielded.axial_share);
+    }
 }
 
 impl Record for Sliding {

@@ -68,6 +68,7 @@ impl Key {
             ("radius", _) => "\"200 nm\"",
             ("along", _) => "\"2 nm\"",
             ("force_zero", _) => "\"0 nN\"",
+            ("yield_strength" | "tangent_modulus", _) => "\"100 MPa\"",
             ("crack", _) => "\"30 nm\"",
             ("height", _) => "\"10 nm\"",
             ("equilibrium_distance", _) => "\"0.4 nm\"",

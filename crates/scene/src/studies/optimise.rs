@@ -266,6 +266,13 @@ impl Wrong<'_> {
                     "Remove `layers` and `crack` from [strip], or this key.",
                 );
             }
+            if self.scene.model.yields() {
+                return refuse(
+                    name,
+                    "is free, and a strip that yields has one section all along",
+                    "Remove `yield_strength` from [strip], or this key.",
+                );
+            }
             if matches!(self.scene.model.body, Body::Spatula(_)) {
                 return refuse(
                     name,

@@ -3,7 +3,9 @@
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
 use crate::adhesion::substrate_response::GroundLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
+use crate::beam::element::energy_density::{
+    Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState, StepEnd,
+};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 use crate::solve::state::MEMORIES;
@@ -88,21 +90,27 @@ impl EnergyDensity<3> for BeamOnGround {
     }
 
     /// Place, mobilisation and limit of the face: `FrictionState`.
-    fn remembered(&self, place: f64, value: [f64; 3], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
+    fn remembered(
+        &self,
+        &StepEnd { place, value, .. }: &StepEnd<3>,
+        before: [f64; MEMORIES],
+    ) -> ([f64; MEMORIES], f64) {
         let Some(friction) = &self.friction else { return (before, 0.0) };
-        let [from, mobilisation, limit, _] = before;
-        let before = FrictionState { place: from, mobilisation, limit };
+        let [from, mobilisation, limit, ..] = before;
+        let known = FrictionState { place: from, mobilisation, limit };
         let station = self.profile.at(place);
         let ([x, gap], _) = self.face(station.height, value);
-        let (slip, dissipated) = friction.remembered(x, gap, before);
-        ([slip.place, slip.mobilisation, slip.limit, 0.0], station.width * dissipated)
+        let (slip, dissipated) = friction.remembered(x, gap, known);
+        let mut row = before;
+        row[..3].copy_from_slice(&[slip.place, slip.mobilisation, slip.limit]);
+        (row, station.width * dissipated)
     }
 
     fn is_symmetric(&self) -> bool {
         self.friction.is_none() && self.ground.law.has_potential()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64) -> SectionState {
+    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64, _: [f64; MEMORY]) -> SectionState {
         self.profile.section_state(place, value[2], slopes)
     }
 

@@ -189,6 +189,7 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         [_, rotation]: [f64; 2],
         [gap_slope, turn]: [f64; 2],
         axial_multiplier: f64,
+        _: [f64; MEMORY],
     ) -> SectionState {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);

@@ -1,17 +1,20 @@
-//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, or off which it does not heal.
+//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, off which it does not heal, or whose film yields.
 
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::section::calibrated::Cohesive;
 use crate::adhesion::section::line_load::LineLaw;
 use crate::adhesion::section::sheared::{Farthest, ShearedLaw, ShearedResponse};
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
+use crate::beam::element::energy_density::{
+    Coupling, EnergyDensity, FACE, MEMORY, Point, PointResponse, SectionState, StepEnd,
+};
+use crate::beam::material::yielding::{BendingLaw, BendingMemory};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 use crate::solve::state::MEMORIES;
 
 /// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
-/// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS` the law is
-/// that of a face that does not heal, and [`Point::memory`] has how far this has been.
+/// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
+/// [`Point::memory`] has how far a face has been that does not heal, and the turns of a film that yields.
 #[derive(Clone, Debug)]
 pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
     /// The beam from place to place
@@ -20,6 +23,10 @@ pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
     pub law: LineLaw,
     /// The same with its shear strength
     pub sheared: ShearedLaw,
+    /// Whether the face is as new where it comes back
+    pub heals: bool,
+    /// Of a film that yields
+    pub yielding: Option<BendingLaw>,
 }
 
 impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
@@ -32,6 +39,22 @@ impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
     ) -> ShearedResponse<T> {
         let (sin, cos) = rotation.sin_cos();
         self.sheared.response_after(height, [x - place, gap], [sin, cos], Farthest { distance, slip })
+    }
+
+    /// What the face of a film remembers, with the energy: see [`EnergyDensity::remembered`].
+    fn remembered_face(&self, place: f64, value: [f64; 3], before: [f64; FACE]) -> ([f64; FACE], f64) {
+        let [known_distance, known_slip, distance, slip] = before;
+        let station = self.profile.at(place);
+        let [x, gap, rotation] = value;
+        let farthest = self.sheared.farthest(station.height, [x - place, gap], rotation, Farthest { distance, slip });
+        let now = [known_distance, known_slip, farthest.distance, farthest.slip];
+        // what is as far as ever has its law, and so has what goes by as far as it has been
+        let is_out = farthest.distance > distance && (farthest.slip > slip || self.sheared.is_sliding());
+        if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
+            return (now, 0.0);
+        }
+        let energy = |farthest: [f64; 2]| self.adhesion(place, value, station.height, farthest).energy;
+        (now, station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip])))
     }
 }
 
@@ -71,28 +94,48 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     #[inline(always)]
     fn add_remembered<T: Real>(
         &self,
-        &Point { place, value, memory: [distance, slip, ..], .. }: &Point<T, 3>,
+        &Point { place, value, slope: [_, _, turn], memory }: &Point<T, 3>,
         response: &mut PointResponse<T, 3>,
     ) {
         let station = self.profile.at(place);
+        let [distance, slip, ..] = memory;
         add(response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
+        if let Some(law) = &self.yielding {
+            // in place of a section that is elastic
+            let [.., outer, back, inner] = memory;
+            let (curvature, bending) = (turn - station.curvature, station.section.bending);
+            let [energy, moment, stiffness] =
+                T::each_of([outer, back, inner, curvature], |[outer, back, inner, at]| {
+                    let bent = law.at([outer, back, inner], at);
+                    [bent.energy - 0.5 * at * at, bent.moment - at, bent.stiffness - 1.0]
+                });
+            response.energy = response.energy + energy * bending;
+            response.by_slope[2] = response.by_slope[2] + moment * bending;
+            response.slope_slope[2][2] = response.slope_slope[2][2] + stiffness * bending;
+        }
     }
 
     /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
-    /// it goes wins as if the face had healed since.
-    fn remembered(&self, place: f64, value: [f64; 3], before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
-        let [known_distance, known_slip, distance, slip] = before;
+    /// it goes wins as if the face had healed since. Behind it: [`BendingMemory`].
+    fn remembered(
+        &self,
+        &StepEnd { place, value, slope, before: step_before }: &StepEnd<3>,
+        before: [f64; MEMORIES],
+    ) -> ([f64; MEMORIES], f64) {
         let station = self.profile.at(place);
-        let [x, gap, rotation] = value;
-        let farthest = self.sheared.farthest(station.height, [x - place, gap], rotation, Farthest { distance, slip });
-        let now = [known_distance, known_slip, farthest.distance, farthest.slip];
-        // what is as far as ever has its law, and so has what goes by as far as it has been
-        let is_out = farthest.distance > distance && (farthest.slip > slip || self.sheared.is_sliding());
-        if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
-            return (now, 0.0);
+        let (mut row, mut energy) = (before, 0.0);
+        if !self.heals {
+            let [a, b, c, d, ..] = before;
+            let (face, healed) = self.remembered_face(place, value, [a, b, c, d]);
+            row[..FACE].copy_from_slice(&face);
+            energy = healed;
         }
-        let energy = |farthest: [f64; 2]| self.adhesion(place, value, station.height, farthest).energy;
-        (now, station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip])))
+        if let Some(law) = &self.yielding {
+            let mut known = BendingMemory::read(&before[FACE..]);
+            law.advance(&mut known, slope[2] - station.curvature, step_before);
+            known.write(&mut row[FACE..]);
+        }
+        (row, energy)
     }
 
     fn is_symmetric(&self) -> bool {
@@ -122,8 +165,25 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         response
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64) -> SectionState {
-        self.profile.section_state(place, value[2], slopes)
+    fn section_state(
+        &self,
+        place: f64,
+        value: [f64; 3],
+        slopes: [f64; 3],
+        _: f64,
+        [.., outer, back, inner]: [f64; MEMORY],
+    ) -> SectionState {
+        let elastic = self.profile.section_state(place, value[2], slopes);
+        let Some(law) = &self.yielding else { return elastic };
+        let station = self.profile.at(place);
+        let bent = law.at([outer, back, inner], elastic.curvature - station.curvature);
+        let moment = station.section.bending * bent.moment;
+        let released = |moment: f64| 0.5 * moment * moment / station.section.bending;
+        SectionState { moment, stored: elastic.stored - released(elastic.moment) + released(moment), ..elastic }
+    }
+
+    fn yields(&self) -> bool {
+        self.yielding.is_some()
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {

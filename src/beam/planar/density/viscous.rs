@@ -11,8 +11,8 @@
 use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
 use crate::adhesion::section::line_load::RateLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
+use crate::beam::material::stretch_law::StretchLaw;
 use crate::beam::section::Section;
-use crate::beam::stretch_law::StretchLaw;
 use crate::number::Real;
 
 /// A density of three fields that knows the elastic stiffness of its sections.
@@ -125,8 +125,15 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
         self.density.is_symmetric()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], border: f64) -> SectionState {
-        self.density.section_state(place, value, slopes, border)
+    fn section_state(
+        &self,
+        place: f64,
+        value: [f64; 3],
+        slopes: [f64; 3],
+        border: f64,
+        memory: [f64; MEMORY],
+    ) -> SectionState {
+        self.density.section_state(place, value, slopes, border, memory)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], border: f64) -> SectionState {

@@ -136,8 +136,8 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.sample_at(at, element, local)
     }
 
-    fn updated_history(&self, at: Configuration) -> Option<(History, f64)> {
-        self.updated(at)
+    fn updated_history(&self, at: Configuration, before: f64) -> Option<(History, f64)> {
+        self.updated(at, before)
     }
 
     fn shifted(&self, at: Configuration, ends: &[f64]) -> Vec<f64> {

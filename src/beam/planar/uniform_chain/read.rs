@@ -2,7 +2,7 @@
 
 use super::elements::UniformChain;
 use crate::beam::element::basis::PerNode;
-use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::energy_density::{SectionState, StepEnd};
 use crate::beam::element::integration::{Element, ElementEnergy, memory_of};
 use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
 use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
@@ -131,10 +131,14 @@ impl<const F: usize> UniformChain<F> {
         for e in elements.clone() {
             let element = self.element(nodes, at, e);
             let (values, forces) = (element.values, element.forces(&by));
+            let slopes = self.basis.differentiate(nodes, &values);
             let mut node = |slot: usize, position: f64, sign: f64| {
                 let forces = forces[slot].map(|force| sign * force);
-                let section =
+                let mut section =
                     self.density.section_state_from_forces(position, values[slot], forces, at.axial_multiplier);
+                if self.density.yields() {
+                    section.curvature = slopes[slot][F - 1] * element.stretch();
+                }
                 let memory = memory_of(at.history, position);
                 let adhesion = self.density.adhesion_at(position, values[slot], memory, at.axial_multiplier);
                 let mut all = [0.0; MOST_FIELDS];
@@ -164,21 +168,25 @@ impl<const F: usize> UniformChain<F> {
         let mut all = [0.0; MOST_FIELDS];
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
-        (all, self.density.section_state(place, value, slope, at.axial_multiplier))
+        let memory = memory_of(at.history, place);
+        (all, self.density.section_state(place, value, slope, at.axial_multiplier, memory))
     }
 
     /// [`super::Chain::updated_history`]
-    pub(super) fn updated(&self, at: Configuration) -> Option<(History, f64)> {
+    pub(super) fn updated(&self, at: Configuration, before: f64) -> Option<(History, f64)> {
         let known = at.history.filter(|_| self.density.remembers())?;
         let (mut e, mut values) = (0, self.gather(self.nodes(), at.state, 0));
-        Some(known.updated(|s, before| {
+        Some(known.updated(|s, row| {
             while e + 2 < at.ends.len() && s > at.ends[e + 1] {
                 e += 1;
                 values = self.gather(self.nodes(), at.state, e);
             }
             let local = 2.0 * (s - at.ends[e]) / (at.ends[e + 1] - at.ends[e]) - 1.0;
-            let fields = combine(self.nodes(), &values, &self.basis.sample_values(local));
-            self.density.remembered(s, fields, before)
+            let (shape, shape_slope) = self.basis.sample(local);
+            let per_length = 2.0 / (at.ends[e + 1] - at.ends[e]);
+            let value = combine(self.nodes(), &values, &shape);
+            let slope = combine(self.nodes(), &values, &shape_slope.map(|slope| slope * per_length));
+            self.density.remembered(&StepEnd { place: s, value, slope, before }, row)
         }))
     }
 

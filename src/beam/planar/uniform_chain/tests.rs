@@ -15,7 +15,7 @@ use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate_response::GroundLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::element::integration::{Element, Responses};
 use crate::beam::planar::chain::{Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient};
@@ -95,7 +95,7 @@ impl<const F: usize, const BORDER: bool> EnergyDensity<F> for MadeUp<F, BORDER> 
         self.symmetric
     }
 
-    fn section_state(&self, _: f64, _: [f64; F], _: [f64; F], _: f64) -> SectionState {
+    fn section_state(&self, _: f64, _: [f64; F], _: [f64; F], _: f64, _: [f64; MEMORY]) -> SectionState {
         SectionState::default()
     }
 
@@ -288,7 +288,9 @@ fn a_beam() {
                 state.extend([s + 1e-4 * numbers.next(), 0.255 + 1e-5 * s * s, 2e-5 * s]);
             }
             // it has stuck where it lay
-            let history = rubs.then(|| History::new(30.0, 1.0, |s| [s, 0.0, 0.05, 0.0]));
+            let history = rubs.then(|| {
+                History::new(30.0, 1.0, |s| std::array::from_fn(|k| [s, 0.0, 0.05].get(k).copied().unwrap_or(0.0)))
+            });
             agrees::<3, false>(&chain, &Place { ends, state, damping: vec![], history }, &mut numbers);
         }
     }

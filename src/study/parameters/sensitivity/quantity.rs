@@ -172,6 +172,8 @@ pub enum NoSensitivities {
          nothing as long as nothing that has opened closes again"
     )]
     Healing,
+    #[error("a film that yields depends on its past, and no derivative of it is computed; remove its yield strength")]
+    Yielding,
     #[error("terms of the model were left out of the path ({terms}); ask for all of them with terms = \"all\"")]
     TermsLeftOut { terms: String },
     #[error("the solutions behind the path are not known: it was read and not computed, or it has no point")]
@@ -199,7 +201,11 @@ pub enum NoSensitivities {
 impl NoSensitivities {
     /// What forbids them for a model, whose past decides what it does, if anything does.
     pub fn of(model: &PeelModel) -> Option<Self> {
-        let past = [(model.friction_law().is_some(), Self::Friction), (!model.adhesion.healing, Self::Healing)];
+        let past = [
+            (model.friction_law().is_some(), Self::Friction),
+            (!model.adhesion.healing, Self::Healing),
+            (model.yields(), Self::Yielding),
+        ];
         past.into_iter().find(|(depends, _)| *depends).map(|(_, why)| why)
     }
 
@@ -208,6 +214,7 @@ impl NoSensitivities {
         match self {
             Self::Friction => Some("friction"),
             Self::Healing => Some("adhesion.healing"),
+            Self::Yielding => Some("strip.yield_strength"),
             _ => None,
         }
     }

@@ -217,6 +217,7 @@ pub fn peel_numbers(
 fn can_be_followed(model: &PeelModel) -> bool {
     model.friction_law().is_none()
         && model.adhesion.healing
+        && !model.yields()
         && model.ground.substrate.is_flat()
         && model.steps.is_empty()
 }

@@ -4,3 +4,4 @@ mod beam_state;
 pub(in crate::study::peel) mod special_points;
 pub(in crate::study) mod station;
 pub(in crate::study) mod work;
+pub(in crate::study) mod yielded;

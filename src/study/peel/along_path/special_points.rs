@@ -41,8 +41,18 @@ pub(in crate::study::peel) fn name_special_points(peel: &mut Peel, problem: &Bea
     peel.largest_computed_force = computed.filter(pulls).filter(|_| peel.peak.is_none() && peel.points.len() > 1);
     let last = followed.points.len().saturating_sub(2);
     let snap = peel.snap_off.map_or(last, |at| at.after);
-    let before_jump = first_maximum.map(|first| first.after + 1..snap);
+    // the force of a film that yields falls to a minimum before it has been bent by its front; it is steady behind that
+    let first =
+        if problem.system.has_close_points() { located.iter().rfind(|at| is_minimum(followed, at)) } else { None };
+    let before_jump = first_maximum.as_ref().map(|maximum| first.unwrap_or(maximum).after + 1..snap);
     peel.plateau = steady_force(problem, followed, before_jump, known.min(last), peel.asked);
+}
+
+/// Whether the force turns from falling to rising there.
+fn is_minimum(followed: &Followed, at: &LimitPoint) -> bool {
+    let force = |point: Option<&Arc<Solution>>| point.map_or(f64::NEG_INFINITY, |point| point.observables.force);
+    let ends = [at.after, at.after + 1].map(|index| force(followed.points.get(index)));
+    at.kind == LimitPointKind::Load && ends.into_iter().all(|end| end > at.force)
 }
 
 /// Whether the force rises to a maximum, and falls behind it, by more than its error and than was asked: where it does not, as beside the beginning of

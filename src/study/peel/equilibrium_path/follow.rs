@@ -13,6 +13,7 @@ use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::{PathError, PathOptions};
 use crate::solve::points::locate::ROUGH;
+use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::State;
 use crate::study::asked::accuracy::Accuracy;
 use crate::study::asked::stop_criteria::{Bound, StopCriteria};
@@ -21,9 +22,10 @@ use crate::study::peel::result::{Failure, PathEnd, PathFailure};
 use std::ops::Range;
 use std::sync::Arc;
 
-/// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved.
-fn points_allowed(elements: usize) -> usize {
-    400 + 10 * elements
+/// Path points after which a mesh is taken to hold the path up: several times what paths take that are resolved. What bounds the steps makes them as
+/// many as they are.
+fn points_allowed(options: &PathOptions) -> usize {
+    if options.longest.is_some() { usize::MAX } else { 400 + 10 * options.elements }
 }
 
 /// Follows the path and locates its limit points.
@@ -39,7 +41,7 @@ pub(in crate::study::peel) fn follow(
     let known = (limits.checkpoint.taken)(&options);
     let taken = known.len();
     let mut path = Path::new(problem, options).until(limits.should_stop()).knowing(known);
-    let most = points_allowed(options.elements);
+    let most = points_allowed(&options);
     let mut cut = false;
     let stopped = loop {
         let points = path.points().len();
@@ -68,6 +70,13 @@ pub(in crate::study::peel) fn follow(
             Err(_) if is_next_to_plane(problem, path.points()) => break Ok(PathEnd::BackInPlane),
             Err(error) => break Err(PathFailure::Path(error)),
         }
+    };
+    let stopped = match stopped {
+        // behind its first jump the path of a film that yields is not what the film does
+        Err(PathFailure::Path(_)) if problem.system.has_close_points() && has_jumped(path.points()) => {
+            Ok(PathEnd::Snapped)
+        }
+        stopped => stopped,
     };
     let failed = |trouble: PathFailure| {
         let (elements, order) = (options.elements, problem.beam.order());
@@ -133,9 +142,30 @@ pub(in crate::study::peel) fn follow(
         }
         (trouble, missing) => trouble.or(missing),
     };
+    if problem.system.has_close_points() {
+        followed.end_at_jump();
+    }
     followed.end_at_unresolved(problem);
     followed.end_where_drawn(problem);
     followed
+}
+
+impl Followed {
+    /// Ends the path of a film that yields at a turn of the displacement that was not located: how it yields in a jump no equilibrium determines.
+    fn end_at_jump(&mut self) {
+        let Some(PathFailure::NotLocated { turn: LimitPointKind::Displacement, after, .. }) = self.trouble else {
+            return;
+        };
+        self.points.truncate(after + 1);
+        self.turns.retain(|turn| turn.1 < after);
+        self.branch_points.retain(|branch| branch.0 < after);
+        (self.end, self.trouble) = (PathEnd::Snapped, None);
+    }
+}
+
+/// Whether the displacement has turned back on the way.
+fn has_jumped(points: &[Arc<Solution>]) -> bool {
+    points.iter().skip(1).any(|p| p.slope.displacement < 0.0)
 }
 
 /// Whether the force has turned down on the way.
@@ -257,7 +287,6 @@ impl Iterator for PathPoints<'_> {
 mod tests {
     use super::*;
     use crate::model::{Form, PeelModel, StripModel};
-    use crate::solve::LimitPointKind;
     use crate::study::asked::accuracy::Resolution;
     use crate::study::{Accuracy, Checkpoint, StopCriteria};
 

@@ -69,7 +69,8 @@ pub(super) fn step(
     if slides(problem, path) {
         return Ok(Some(PathEnd::Sliding));
     }
-    if problem.system.has_history() && newest.slope.displacement < 0.0 {
+    let sticks = problem.system.has_history() && !problem.system.has_close_points();
+    if sticks && newest.slope.displacement < 0.0 {
         return Ok(Some(PathEnd::Snapped));
     }
     // a strip that has closed again passes u = 0 and P = 0 together

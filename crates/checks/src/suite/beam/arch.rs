@@ -100,6 +100,7 @@ pub(crate) fn snapped(model: &RodModel, order: usize, elements: usize) -> Result
         elements,
         step_tolerance: 1e-4,
         stride: 1.0,
+        longest: None,
         prediction: 8,
         tolerance: TOLERANCE,
         first_displacement: -0.01 * rise,
