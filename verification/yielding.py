@@ -6,7 +6,7 @@ curvature grows up to the largest, kappa_B at S = 0, where M' = 0, and from ther
 
     f(kappa)/EI = t kappa + (1 - t) g(kappa),   g = kappa up to kappa_e,   g = 3 kappa_e/2 - kappa_e^3/(2 kappa^2) beyond,   kappa_e = 2 sigma_y/(E h),
 
-and t = E_t/E, a section is bent by M = f(kappa) ahead of S = 0 and, by Masing's rule, by M = f(kappa_B) - 2 f((kappa_B - kappa)/2) behind it. The rest is
+and t = Eₜ/E, a section is bent by M = f(kappa) ahead of S = 0 and, by Masing's rule, by M = f(kappa_B) - 2 f((kappa_B - kappa)/2) behind it. The rest is
 the strong form of collocation/law.py: unknowns g = y - h/2, theta, V, M of either part, all at once, and the numbers H, M(0) and the lengths of
 
     g(-A) = rest, theta(-A) = 0;   both parts the same at 0, M = f(kappa_B) and M' = 0;   kappa(B) = 0, H sin = V cos of the angle of pull.

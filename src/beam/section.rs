@@ -39,10 +39,10 @@ pub struct Material {
     /// How the force along the axis follows its stretch
     #[serde(default)]
     pub stretch: StretchLaw,
-    /// σ_y, GPa, of one that yields in bending
+    /// σ₀, GPa, of one that yields in bending
     #[serde(default)]
     pub yield_strength: Option<f64>,
-    /// E_t, GPa: dσ/dε beyond; zero where none is given
+    /// Eₜ, GPa: dσ/dε beyond; zero where none is given
     #[serde(default)]
     pub tangent_modulus: Option<f64>,
 }

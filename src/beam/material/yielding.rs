@@ -1,7 +1,7 @@
 //! The bending moment of a section whose material yields, by the curvatures between which it has been bent.
 //!
-//! A rectangle of height h, of a material with Young's modulus E that yields at ±σ_y and hardens with the tangent modulus E_t, kinematically. Its
-//! surfaces yield at the curvature κ_e = 2 σ_y / (E h). With t = E_t/E, bent for the first time:
+//! A rectangle of height h, of a material with Young's modulus E that yields at ±σ₀ and hardens with the tangent modulus Eₜ, kinematically. Its
+//! surfaces yield at the curvature κ_e = 2 σ₀ / (E h). With t = Eₜ/E, bent for the first time:
 //!
 //! ```text
 //! M(κ) = EI (t κ + (1 - t) g(κ)),    g(κ) = κ                           for |κ| <= κ_e,
@@ -25,7 +25,7 @@ pub(crate) type Turns = [f64; TURNS];
 pub(crate) struct BendingLaw {
     /// κ_e, 1/nm
     pub elastic: f64,
-    /// t = E_t/E
+    /// t = Eₜ/E
     pub hardening: f64,
 }
 

@@ -21,7 +21,7 @@ pub struct Yielded {
     pub length: f64,
     /// The largest curvature that a section has had, over that at which its surfaces yield
     pub largest_curvature: f64,
-    /// The largest axial force of a section over σ_y A. The law leaves out that it takes its square of the moment at which a section has yielded through.
+    /// The largest axial force of a section over σ₀ A. The law leaves out that it takes its square of the moment at which a section has yielded through.
     pub axial_share: f64,
 }
 
