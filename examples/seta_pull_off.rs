@@ -1,13 +1,16 @@
 //! The pull-off of a seta with 256 tips that follow the curve of their spatula.
 //!
 //!     cargo run --release --example seta_pull_off [free | held] [table] [forks=n] [normal | lateral | inclined] [upright] [preload=nN] [order=p] [divided=n] [paper] [balance=b]
-//!         [tip=r]: relative tolerance of the curve of the tips; [law]: the law of the seta from pulls at 15 to 105 degrees, and its errors
+//!         [tip=r]: relative tolerance of the curve of the tips; [law]: the law of the seta from pulls at 15 to 105 degrees, its errors,
+//!         and those on twenty other ways of the root
 
 use peelkit::model::{NormalPull, Seta, SetaMesh, SetaModel, Sideways, Spatula, TipLaw};
 use peelkit::study::coarsening::{
-    CoarseningOptions, PadEnd, RootPath, SetaLaw, SetaSheet, TableLaw, TipRange, coarsen,
+    CoarseningOptions, PadEnd, RootPath, SetaLaw, SetaLawOptions, TableLaw, TipRange, coarsen,
 };
-use peelkit::study::{Accuracy, SetaLoading, SetaOptions, StopCriteria, converged_peak, pull_off, tip_curve};
+use peelkit::study::{
+    Accuracy, SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd, StopCriteria, converged_peak, pull_off, tip_curve,
+};
 use std::error::Error;
 use std::sync::Arc;
 use std::time::Instant;
@@ -129,30 +132,48 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn print_law(model: &SetaModel, options: &SetaOptions) -> Result<(), Box<dyn Error>> {
-    let mut paths = Vec::new();
-    for degrees in [15, 30, 45, 60, 75, 90, 105] {
-        let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
-        let loading = SetaLoading::pull([cos, sin, 0.0], 60_000.0);
-        let path = RootPath::resolved(model, &loading, options, &StopCriteria::default())?;
-        if let Some(last) = path.points.last() {
-            let [x, y] = last.force;
-            println!("{degrees:4} degrees: first loss at {:.3?} nm, force {x:.3} and {y:.3} nN", last.root);
-        }
-        paths.push(path);
-    }
-    for degree in 2..=4 {
-        let law = SetaLaw::fitted(&paths, degree)?;
-        let [along, normal] = law.exit.direction;
-        let [[a, b], [_, c]] = law.response(SetaSheet::Adhering, [0.0; 2]).stiffness;
+    let path = |loading: &SetaLoading| RootPath::resolved(model, loading, options, &StopCriteria::default());
+    let paths: Vec<RootPath> = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0]
+        .map(|degrees| path(&SetaLoading::pull(direction(degrees), FAR)))
+        .into_iter()
+        .collect::<Result<_, _>>()?;
+    let others: Vec<RootPath> = (0..OTHERS).map(|number| path(&other_way(number))).collect::<Result<_, _>>()?;
+    for (degree, sheets) in [(2, 1), (2, 16), (3, 16), (4, 16)] {
+        let law = SetaLaw::fitted(&paths, &SetaLawOptions { degree, sheets, ..SetaLawOptions::default() })?;
+        let exit = law.first_exit();
+        let [[a, b], [_, c]] = law.response(0, [0.0; 2]).stiffness;
         let (mean, half) = (0.5 * (a + c), (0.5 * (a - c)).hypot(b));
         println!(
-            "degree {degree}: plane at {:.3} nm, {:.3} degrees; stiffness {:.4} and {:.4} N/m; {:?}",
-            law.exit.distance,
-            normal.atan2(along).to_degrees(),
+            "degree {degree}: plane at {:.3} nm, {:.3} degrees; stiffness {:.4} and {:.4} N/m",
+            exit.distance,
+            exit.direction[1].atan2(exit.direction[0]).to_degrees(),
             mean - half,
-            mean + half,
-            law.errors
+            mean + half
         );
+        println!("    sheets {:?}", law.sheets.iter().map(|sheet| sheet.tips).collect::<Vec<_>>());
+        println!("    {:?}", law.errors);
+        let off: Vec<[f64; 2]> = others.iter().map(|path| law.peak_and_work_error(path)).collect();
+        let [peak, work] = [0, 1].map(|k| off.iter().map(|own| own[k].abs()).fold(0.0, f64::max));
+        println!("    on {OTHERS} other ways: peak within {peak:.4}, work within {work:.4}");
     }
     Ok(())
+}
+
+/// No tip holds on so far, nm.
+const FAR: f64 = 60_000.0;
+/// Ways of the root that a law is not made of.
+const OTHERS: usize = 20;
+
+/// Pulled at some angle from 15 to 105 degrees, every other time behind a drag of up to 150 nm.
+fn other_way(number: usize) -> SetaLoading {
+    let part = |share: f64| (share * number as f64).fract();
+    let pull = SetaStep { direction: direction(15.0 + 90.0 * part(0.618_033_988_7)), until: StepEnd::Detached(FAR) };
+    let drag = SetaStep { direction: direction(0.0), until: StepEnd::Travel(1.0 + 149.0 * part(0.414_213_562_4)) };
+    let steps = if number.is_multiple_of(2) { vec![pull] } else { vec![drag, pull] };
+    SetaLoading { start: SetaStart::Adhering, steps }
+}
+
+fn direction(degrees: f64) -> [f64; 3] {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    [cos, sin, 0.0]
 }

@@ -6,7 +6,7 @@
 use super::law::RootLaw;
 use super::potential::Potential;
 use super::scatter::RootOffset;
-use crate::study::coarsening::seta_law::{RootResponse, dot};
+use crate::study::coarsening::seta_law::law::{RootResponse, dot};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

@@ -7,7 +7,7 @@
 
 use super::chain::Chain;
 use super::cluster::{Cluster, NextExit};
-use crate::study::coarsening::seta_law::RootResponse;
+use crate::study::coarsening::seta_law::law::RootResponse;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 

@@ -5,7 +5,7 @@
 //! A strength s scales the law, E(u) → s² E(u/s): exits lie at s c with forces s F, and stiffnesses stay.
 
 use super::potential::Potential;
-use crate::study::coarsening::seta_law::{ExitPlane, SetaLaw};
+use crate::study::coarsening::seta_law::law::{ExitPlane, SetaLaw};
 use serde::{Deserialize, Serialize};
 
 /// Along the normal of the ground.
@@ -38,7 +38,7 @@ pub enum RootLaw {
         /// d and c
         exit: ExitPlane,
     },
-    /// The potential that was fitted to resolved pulls of a seta, up to the plane on which its first tip lets go.
+    /// The potentials that were fitted to resolved pulls of a seta.
     Fitted(SetaLaw),
 }
 
@@ -51,6 +51,15 @@ pub struct RootSheet {
     pub exit: ExitPlane,
     /// Whether the seta comes back from it to the sheet before, on the plane on which it left that one
     pub goes_back: bool,
+}
+
+/// A seta that is detached along the normal.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Lifted {
+    /// Largest force off the ground, nN
+    pub force: f64,
+    /// aJ
+    pub work: f64,
 }
 
 /// A law of a seta that is none.
@@ -105,8 +114,9 @@ impl RootLaw {
     /// How many sheets it has, without the detached one.
     pub fn sheets(&self) -> usize {
         match self {
+            Self::Spring { .. } | Self::Held { .. } => 1,
             Self::Softening { .. } => 2,
-            Self::Spring { .. } | Self::Held { .. } | Self::Fitted(_) => 1,
+            Self::Fitted(law) => law.sheets.len(),
         }
     }
 
@@ -132,14 +142,15 @@ impl RootLaw {
                 )
             }
             (Self::Held { stiffness, exit }, 0) => (Potential::quadratic(*stiffness), plane(exit)),
-            (Self::Fitted(law), 0) => {
+            (Self::Fitted(law), _) => {
                 // s² E(u/s)
-                let scaled: Vec<f64> = law.coefficients.iter().map(|own| own * strength * strength).collect();
-                (Potential::of(strength * law.scale, &scaled), plane(&law.exit))
+                let own = law.sheets.get(number)?;
+                let scaled: Vec<f64> = own.coefficients.iter().map(|own| own * strength * strength).collect();
+                (Potential::of(strength * law.scale, &scaled), plane(&own.exit))
             }
             _ => return None,
         };
-        Some(RootSheet { potential, exit, goes_back: number > 0 })
+        Some(RootSheet { potential, exit, goes_back: number > 0 && matches!(self, Self::Softening { .. }) })
     }
 
     /// Whether its force is linear in the place of the root, sheet by sheet.
@@ -157,13 +168,25 @@ impl RootLaw {
         self.stiffness()[0][0] > 0.0
     }
 
-    /// Work to detach it along the normal from where no force acts, aJ. None where that way does not lead to its exit.
-    pub fn work(&self) -> Option<f64> {
-        let last = self.sheet(self.sheets() - 1, 1.0)?;
-        let nearer = last.exit.direction[1];
-        let at = [0.0, last.exit.distance / nearer];
-        let rest = self.sheet(0, 1.0)?.potential.response([0.0; 2]).energy;
-        (nearer > 0.0 && at[1] > 0.0).then(|| last.potential.response(at).energy - rest)
+    /// Largest force off the ground, nN, and work, aJ, as it is detached along the normal from where no force acts. None where that way does not lead
+    /// to its exits.
+    pub fn lifted(&self) -> Option<Lifted> {
+        let (mut out, mut from) = (Lifted::default(), 0.0);
+        for number in 0..self.sheets() {
+            let RootSheet { potential, exit, .. } = self.sheet(number, 1.0)?;
+            let nearer = exit.direction[1];
+            let to = exit.distance / nearer;
+            if nearer <= 0.0 || number == 0 && to <= 0.0 {
+                return None;
+            }
+            if to > from {
+                let [start, end] = [from, to].map(|height| potential.response([0.0, height]));
+                out.force = out.force.max(start.force[1]).max(end.force[1]);
+                out.work += end.energy - start.energy;
+                from = to;
+            }
+        }
+        Some(out)
     }
 
     /// What of it cannot be the law of a seta.
@@ -193,7 +216,7 @@ impl RootLaw {
             }
             Self::Fitted(law) => {
                 positive("scale", law.scale)?;
-                checked_plane(&law.exit)
+                law.sheets.iter().try_for_each(|sheet| checked_plane(&sheet.exit))
             }
         }
     }

@@ -16,7 +16,7 @@ mod toe_pad;
 pub use chain::BandSection;
 pub use events::{ArrayEnd, ArrayEvent, ArrayFailure, Followed};
 pub use lamella::{ArrayDrive, ArrayError, Lamella};
-pub use law::{RootLaw, RootLawError, RootSheet};
+pub use law::{Lifted, RootLaw, RootLawError, RootSheet};
 pub use patch::{Backing, Patch, PatchFollowed, PatchStep};
 pub use potential::Potential;
 pub use pull::{ArrayPull, ArrayRow, SetaArray};

@@ -9,7 +9,7 @@ use super::events::{ASKED, ArrayEnd, ArrayEvent};
 use super::lamella::{ArrayError, checked_scatter, checked_size, checked_start};
 use super::law::RootLaw;
 use super::scatter::{RootOffset, Scatter};
-use crate::study::coarsening::seta_law::dot;
+use crate::study::coarsening::seta_law::law::dot;
 
 /// The face that carries the roots.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

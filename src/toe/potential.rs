@@ -3,7 +3,7 @@
 //! The sum over setae at one place is one such polynomial, whatever their heights: that of a seta that stands h higher is E(u, v - h), again of
 //! degree four. So the force on a thousand setae costs as much as that on one, and the loss of a seta is a subtraction.
 
-use crate::study::coarsening::seta_law::RootResponse;
+use crate::study::coarsening::seta_law::law::RootResponse;
 
 /// Highest degree.
 const DEGREE: usize = 4;

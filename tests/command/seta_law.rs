@@ -10,7 +10,7 @@
 //! another seta among them, is refused with what would.
 
 use crate::peel::{is_refused, run, scene};
-use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
+use peelkit::study::coarsening::{ExitPlane, LawSheet, SetaLaw, SetaLawErrors};
 use peelkit_report::seta_law_text;
 use peelkit_scene::{SETA_LAW, Scene, parse_seta_law};
 use serde_json::Value;
@@ -32,7 +32,8 @@ fn spring() -> String {
     let coefficients = vec![0.0, 0.0, 0.0, half, 0.0, half];
     let exit = ExitPlane { direction: [0.0, 1.0], distance: REACH };
     let errors = SetaLawErrors::default();
-    let law = SetaLaw { degree: 2, scale: REACH, coefficients, exit, largest_force: STIFFNESS * REACH, errors };
+    let sheets = vec![LawSheet { tips: 256, coefficients, exit }];
+    let law = SetaLaw { degree: 2, scale: REACH, sheets, largest_force: STIFFNESS * REACH, errors };
     let path = scene("seta");
     let seta = Scene::parse_any(&path, &fs::read_to_string(&path).unwrap(), &[]).unwrap();
     let text = seta_law_text(&law, &seta);
@@ -105,15 +106,28 @@ fn the_law_of_a_small_seta() {
     assert_eq!(summary["errors"], summary["degree_4"]);
     assert!(number("/degree_4/force") < number("/degree_2/force") && number("/exit_deg") - 90.0 < 1e-6);
     let (law, _) = parse_seta_law(&fs::read_to_string(folder.join(SETA_LAW)).unwrap()).unwrap();
-    assert_eq!((law.degree, law.exit.distance), (4, number("/exit_nm")));
+    assert_eq!((law.degree, law.first_exit().distance), (4, number("/exit_nm")));
+    // two tips, the one behind the other
+    assert_eq!(law.sheets.iter().map(|sheet| sheet.tips).collect::<Vec<_>>(), [2, 1]);
+    assert!(number("/errors/peak") < 0.02 && number("/errors/work") < 0.02 && number("/sheets/1/tips") == 1.0);
+    let brittle = json(dir.path(), &["coarsen", "seta.toml", "--sheets", "1"]);
+    assert!(brittle["errors"]["work"].as_f64().unwrap() > 0.1 && brittle["tolerance"].is_null(), "{brittle}");
     // the stated error is the largest of the table
     let mut rows = csv::Reader::from_path(folder.join("seta_paths.csv")).unwrap();
-    let off = |row: Vec<f64>| (row[3] - row[6]).hypot(row[4] - row[7]);
-    let largest = rows.deserialize().map(|row| off(row.unwrap())).fold(0.0, f64::max);
+    let rows: Vec<Vec<f64>> = rows.deserialize().map(Result::unwrap).collect();
+    // before the first loss both tips adhere; on a sheet is where the root is before its exit
+    let whole = rows.iter().filter(|row| row[7] == 2.0);
+    let force = |row: &Vec<f64>| law.response(0, [row[1], row[2]]).force;
+    let off = |row: &Vec<f64>| (row[3] - force(row)[0]).hypot(row[4] - force(row)[1]);
+    let largest = whole.map(off).fold(0.0, f64::max);
+    for row in rows.iter().filter(|row| row[8] == 1.0) {
+        let [along, normal] = law.response(1, [row[1], row[2]]).force;
+        assert!((along - row[9]).abs() < 1e-9 && (normal - row[10]).abs() < 1e-9, "{row:?}");
+    }
     assert!((largest / law.largest_force / number("/errors/force") - 1.0).abs() < 1e-9);
-    // the picture has its pulls and its degree
+    // the picture has its pulls and its sheets
     let picture = fs::read_to_string(folder.join("seta_law.svg")).unwrap();
-    assert!(picture.contains("at 15 deg") && picture.contains("at 105 deg") && picture.contains("law of degree 4"));
+    assert!(picture.contains("at 15 deg") && picture.contains("at 105 deg") && picture.contains("law of 2 sheets"));
     // a patch takes it, a band does not
     let law = format!("law = \"{}\"", folder.display());
     for name in ["patch", "lamella"] {
@@ -126,9 +140,13 @@ fn the_law_of_a_small_seta() {
         is_refused(dir.path(), &[&["coarsen", &scene("seta")][..], arguments].concat(), &[words]);
     };
     refused(&["--degree", "5"], "degree 5 is asked");
+    refused(&["--sheets", "0"], "0 sheets are asked");
+    refused(&["--tolerance", "0"], "a tolerance of 0 is asked");
     refused(&["--press", "1 nm"], "--press is of no use");
     refused(&["--set", "seta.tip_law=table"], "tips that follow the curve");
-    is_refused(dir.path(), &["coarsen", &scene("spatula"), "--degree", "2"], &["--degree is of no use"]);
+    for option in ["--degree", "--sheets"] {
+        is_refused(dir.path(), &["coarsen", &scene("spatula"), option, "2"], &[&format!("{option} is of no use")]);
+    }
     a_missing_law_is_made_once(dir.path());
 }
 

@@ -3,6 +3,7 @@
 use crate::outcome::{Analysis, Outcome, Refusal};
 use crate::session::Session;
 use crate::seta_law::{DIRECTIONS, SetaLawCoarsening};
+use peelkit::study::coarsening::SetaLawOptions;
 use peelkit_report::{Existing, OutputFolder, ReportError};
 use peelkit_scene::{FittedSeta, SETA_LAW, Scene};
 use std::fmt;
@@ -33,8 +34,14 @@ impl MissingLaw {
         let seta = seta.map_err(|error| Refusal::asked(&error, error.remedy()))?;
         let folder = scene.beside(folder);
         let degree = if table.patch.is_some() { OF_A_PATCH } else { OF_A_BAND };
-        SetaLawCoarsening::of(&seta, degree)?;
-        Ok(Some(Self { seta, folder, degree }))
+        let made = Self { seta, folder, degree };
+        SetaLawCoarsening::of(&made.seta, made.asked())?;
+        Ok(Some(made))
+    }
+
+    /// What is asked of it.
+    fn asked(&self) -> SetaLawOptions {
+        SetaLawOptions { degree: self.degree, ..SetaLawOptions::default() }
     }
 
     /// The scene of its seta.
@@ -46,7 +53,7 @@ impl MissingLaw {
     ///
     /// Fails where the seta cannot be pulled, its bounds stop it, and where the folder cannot be written.
     pub fn make(&self, session: &Session, command: &str) -> Result<(), Refusal> {
-        let coarsening = SetaLawCoarsening::of(&self.seta, self.degree)?;
+        let coarsening = SetaLawCoarsening::of(&self.seta, self.asked())?;
         let output = match OutputFolder::claim(&self.folder, Existing::Keep, coarsening.journal()) {
             Err(ReportError::Exists { .. }) if self.folder.join(SETA_LAW).is_file() => return Ok(()),
             claimed => claimed?,

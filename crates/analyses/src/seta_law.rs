@@ -1,10 +1,10 @@
-//! The law of a whole seta, from the seta of a scene: pulls of its root in several directions, each until its first tip lets go.
+//! The law of a whole seta, from the seta of a scene: pulls of its root in several directions, each until its last tip lets go.
 
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::pulls::seta::{Setae, options};
 use crate::session::{Progress, Session};
 use peelkit::solve::SolveError;
-use peelkit::study::coarsening::{RootPath, SetaLaw, SetaLawError};
+use peelkit::study::coarsening::{RootPath, SetaLaw, SetaLawError, SetaLawOptions};
 use peelkit::study::{SetaFailure, SetaLoading, StopCriteria};
 use peelkit_report::{self as report, ReportError, SetaLawFound, SetaLawSummary, timed};
 use peelkit_scene::{Scene, SetaTable, SetaTipLaw};
@@ -19,18 +19,18 @@ const DEGREES: [usize; 3] = [2, 3, 4];
 /// No tip holds on so far, nm.
 const FAR: f64 = 60_000.0;
 
-/// The law of a seta, as a potential, from the seta of a scene.
+/// The law of a seta, as few potentials, from the seta of a scene.
 pub struct SetaLawCoarsening<'s> {
     scene: &'s Scene,
     table: &'s SetaTable,
-    degree: usize,
+    asked: SetaLawOptions,
 }
 
 impl<'s> SetaLawCoarsening<'s> {
-    /// Of the seta of a scene, with a potential of degree 2, 3 or 4.
+    /// Of the seta of a scene.
     ///
-    /// Fails where the scene has no seta, its tips follow a table, or it is pulled at a rate, and at another degree.
-    pub fn of(scene: &'s Scene, degree: usize) -> Result<Self, Refusal> {
+    /// Fails where the scene has no seta, its tips follow a table, or it is pulled at a rate, and where there is no such law.
+    pub fn of(scene: &'s Scene, asked: SetaLawOptions) -> Result<Self, Refusal> {
         let table = scene.seta.as_ref().ok_or_else(|| Refusal::scene("it has no table [seta]", "Add one."))?;
         if scene.time.is_some() {
             return Err(Refusal::scene(
@@ -49,11 +49,13 @@ impl<'s> SetaLawCoarsening<'s> {
                 "Give seta.tip_law = \"curve\".",
             ));
         }
-        if !DEGREES.contains(&degree) {
-            let found = SetaLawError::Degree { degree }.to_string();
-            return Err(Refusal::asked(found, "Give --degree 2, 3 or 4; a band takes 2."));
-        }
-        Ok(Self { scene, table, degree })
+        asked.check().map_err(|why| {
+            Refusal::asked(
+                why,
+                "Give --degree 2, 3 or 4 (a band takes 2), --sheets 1 to 64 and --tolerance above zero.",
+            )
+        })?;
+        Ok(Self { scene, table, asked })
     }
 
     fn path(&self, setae: &Setae, angle: f64, stop: &StopCriteria) -> Result<RootPath, Refusal> {
@@ -62,7 +64,7 @@ impl<'s> SetaLawCoarsening<'s> {
         RootPath::resolved(&model, &loading, &options(self.scene), stop).map_err(|why| match why {
             SetaLawError::Stopped(_) => Refusal::CutShort(format!("{why}; nothing is written")),
             SetaLawError::Failed(failure) if is_stopped(&failure) => Refusal::CutShort(
-                "a pull of the root is stopped by its bounds before a tip lets go: allow more; nothing is written"
+                "a pull of the root is stopped by its bounds before the last tip lets go: allow more; nothing is written"
                     .to_owned(),
             ),
             why => {
@@ -108,10 +110,13 @@ impl Analysis for SetaLawCoarsening<'_> {
         });
         let paths = paths?;
         let alone: Vec<RootPath> = paths.iter().map(|(_, path)| path.clone()).collect();
-        let law = SetaLaw::fitted(&alone, self.degree)
+        let law = SetaLaw::fitted(&alone, &self.asked)
             .map_err(|why| Refusal::scene(why, "Give another --degree to `peel coarsen`."))?;
-        let by_degree = DEGREES.map(|degree| SetaLaw::fitted(&alone, degree).ok().map(|law| law.errors));
-        Ok(SetaLawOutcome { found: SetaLawFound { law, by_degree, paths, seconds } })
+        let by_degree = DEGREES.map(|degree| {
+            let asked = SetaLawOptions { degree, ..self.asked };
+            SetaLaw::fitted(&alone, &asked).ok().map(|law| law.errors)
+        });
+        Ok(SetaLawOutcome { found: SetaLawFound { law, asked: self.asked, by_degree, paths, seconds } })
     }
 }
 
@@ -128,6 +133,13 @@ impl Outcome for SetaLawOutcome {
     }
 
     fn end(&self) -> End {
-        End::Done
+        if self.found.is_within() {
+            return End::Done;
+        }
+        let SetaLawFound { law, asked, .. } = &self.found;
+        End::CutShort(format!(
+            "the law of the seta is not as accurate as asked: its peaks are within {:.1e} and its works within {:.1e}, and {:.1e} was asked for",
+            law.errors.peak, law.errors.work, asked.tolerance
+        ))
     }
 }

@@ -234,16 +234,9 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     }
 
     /// Section forces and stretch.
-    fn section_state(
-        &self,
-        place: f64,
-        value: [f64; F],
-        slope: [f64; F],
-        axial_multiplier: f64,
-        memory: [f64; MEMORY],
-    ) -> SectionState;
+    fn section_state(&self, point: &Point<f64, F>, axial_multiplier: f64) -> SectionState;
 
-    /// The same section where its vertical force and moment are known instead of the slopes (at a node between two
+    /// The section where its vertical force and moment are known instead of the slopes (at a node between two
     /// elements, where the nodal forces are far more accurate than the slopes).
     fn section_state_from_forces(
         &self,

@@ -87,14 +87,7 @@ pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
     /// [`EnergyDensity::yields`]
     fn yields(&self) -> bool;
     /// [`EnergyDensity::section_state`]
-    fn section_state(
-        &self,
-        place: f64,
-        value: [f64; F],
-        slope: [f64; F],
-        axial_multiplier: f64,
-        memory: [f64; MEMORY],
-    ) -> SectionState;
+    fn section_state(&self, point: &Point<f64, F>, axial_multiplier: f64) -> SectionState;
     /// [`EnergyDensity::section_state_from_forces`]
     fn section_state_from_forces(
         &self,
@@ -176,15 +169,8 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
         EnergyDensity::yields(self)
     }
 
-    fn section_state(
-        &self,
-        place: f64,
-        value: [f64; F],
-        slope: [f64; F],
-        axial_multiplier: f64,
-        memory: [f64; MEMORY],
-    ) -> SectionState {
-        EnergyDensity::section_state(self, place, value, slope, axial_multiplier, memory)
+    fn section_state(&self, point: &Point<f64, F>, axial_multiplier: f64) -> SectionState {
+        EnergyDensity::section_state(self, point, axial_multiplier)
     }
 
     fn section_state_from_forces(

@@ -24,7 +24,9 @@ pub use options::{
 pub use refine::{SheetErrors, TipScales};
 pub use run::{Coarsening, coarsen};
 pub use seta_by_table::{AfterRound, GrowingTable, OutsideAt, OutsideTable, TableEnd, TableRound, pull_off_by_table};
-pub use seta_law::{ExitPlane, RootPath, RootPoint, RootResponse, SetaLaw, SetaLawError, SetaLawErrors, SetaSheet};
+pub use seta_law::{
+    ExitPlane, LawSheet, RootPath, RootPoint, RootResponse, SetaLaw, SetaLawError, SetaLawErrors, SetaLawOptions,
+};
 pub use sheet::{Sheet, SheetLimit, SheetNode, SheetTable};
 pub use table::TipTable;
 pub use tip_in_space::{OutOfPlane, SpatulaTip, TableLaw};

@@ -16,7 +16,7 @@ use crate::common::stored_energy;
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 use peelkit::beam::{
-    ChainFactors, Configuration, ConstraintGradient, EnergyDensity, ReferenceCurve, ReissnerRod, Section,
+    ChainFactors, Configuration, ConstraintGradient, EnergyDensity, Point, ReferenceCurve, ReissnerRod, Section,
 };
 use peelkit::model::{Drive, Hold, RodModel, Support};
 use peelkit::solve::{
@@ -75,7 +75,8 @@ fn the_density_is_the_stored_energy_of_a_curved_rod() {
                 }
             }
             // the section, from slopes and back from forces
-            let state = density.section_state(place, [0.0, 0.0, at[0]], [at[1], at[2], at[3]], 0.0, [0.0; 7]);
+            let point = Point { place, value: [0.0, 0.0, at[0]], slope: [at[1], at[2], at[3]], ..Point::zero() };
+            let state = density.section_state(&point, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let back = density.section_state_from_forces(place, [0.0, 0.0, at[0]], forces, 0.0);
             let soft = size / section.axial.min(section.shear).min(section.bending);

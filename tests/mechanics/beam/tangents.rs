@@ -21,7 +21,7 @@ use nalgebra::{SMatrix, SVector};
 use num_dual::{Dual2SVec64, DualNum, hessian};
 use peelkit::adhesion::{LineLaw, LineLoad, TiltCount};
 use peelkit::beam::{
-    BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, PointResponse, Profile,
+    BeamGeometry, ChainFactors, ConstraintGradient, EnergyDensity, FRONT, Material, Point, PointResponse, Profile,
     ReducedBeam, ReissnerBeam, Section, SectionGeometry, StretchLaw, TIP_ROTATION, Varying, rectangle_second_moment,
 };
 use peelkit::model::{BeamProblem, Form, Hold};
@@ -259,7 +259,7 @@ fn three_field_density() {
                 let beam = ReissnerBeam { profile: c.stretched(stretch), law, count: TiltCount::Coarse };
                 let response = beam.response(0.0, [17.0, c.gap, c.rotation], c.slopes, 0.0);
                 compare(&response, stored, adhesion, 1, law.has_potential())?;
-                let state = beam.section_state(0.0, [0.0, c.gap, c.rotation], c.slopes, 0.0, [0.0; 7]);
+                let state = beam.section_state(&section_at([0.0, c.gap, c.rotation], c.slopes), 0.0);
                 let forces = [state.horizontal_force, state.vertical_force, state.moment];
                 let back = beam.section_state_from_forces(0.0, [0.0, c.gap, c.rotation], forces, 0.0);
                 let close = (back.stored - state.stored).abs() <= 1e-9 * state.stored.abs();
@@ -268,6 +268,11 @@ fn three_field_density() {
             Ok(())
         })
         .unwrap();
+}
+
+/// A section at the start of a beam that remembers nothing.
+fn section_at<const F: usize>(value: [f64; F], slope: [f64; F]) -> Point<f64, F> {
+    Point { value, slope, ..Point::zero() }
 }
 
 const STRETCHES: [StretchLaw; 3] = [StretchLaw::Linear, StretchLaw::NeoHookean, StretchLaw::NeoHookeanWide];
@@ -297,7 +302,7 @@ fn section_states_agree_with_the_density() {
             };
             let beam = ReissnerBeam { profile: c.profile(), law, count: TiltCount::Coarse };
             let value = [0.0, c.gap, c.rotation];
-            let state = beam.section_state(0.0, value, c.slopes, 0.0, [0.0; 7]);
+            let state = beam.section_state(&section_at(value, c.slopes), 0.0);
             let response = beam.response(0.0, value, c.slopes, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let size = section.axial + section.shear + section.bending;
@@ -312,13 +317,8 @@ fn section_states_agree_with_the_density() {
 
             // the two-field form, given the same H, has the same section
             let reduced = ReducedBeam::<true> { profile: c.profile(), law, count: TiltCount::Coarse };
-            let same = reduced.section_state(
-                0.0,
-                [c.gap, c.rotation],
-                [c.slopes[1], c.slopes[2]],
-                state.horizontal_force,
-                [0.0; 7],
-            );
+            let same = reduced
+                .section_state(&section_at([c.gap, c.rotation], [c.slopes[1], c.slopes[2]]), state.horizontal_force);
             close(same.horizontal_slope, c.slopes[0], size / section.axial.min(section.shear))?;
             close(same.vertical_force, state.vertical_force, size)?;
             close(same.stored, state.stored, size)?;

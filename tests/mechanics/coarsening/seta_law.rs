@@ -16,14 +16,16 @@
 //! distance to 1e-4. With a pull at 130 degrees among them, where the root goes 26 nm across the shaft, the distance is 1.7e-4 off.
 //!
 //! Reference of four tips (`small` of the setae, on a coarse mesh): the resolved seta itself on ways that turn once, which the law was not made
-//! of; and differences. Expected: the error falls with the degree; on the other ways it is no larger than twice that of a path left out.
+//! of; and differences. Expected: the error falls with the degree; on the other ways it is no larger than twice that of a path left out. Reference of
+//! sixteen tips: the same, until the last one lets go. Expected: peak and work within the errors of a path left out; a brittle law misses a
+//! tenth of the work and more.
 
 use crate::seta::setup::{model, small};
 use approx::assert_relative_eq;
 use nalgebra::{Matrix2, Vector2};
 use peelkit::beam::Material;
 use peelkit::model::{CurvePoint, NormalPull, PullCurve, Seta, SetaMesh, SetaModel, Sideways};
-use peelkit::study::coarsening::{RootPath, RootPoint, SetaLaw, SetaLawError, SetaSheet};
+use peelkit::study::coarsening::{RootPath, RootPoint, SetaLaw, SetaLawError, SetaLawOptions};
 use peelkit::study::{Bound, SetaLoading, SetaOptions, SetaStart, SetaStep, StepEnd, StopCriteria};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -89,6 +91,11 @@ fn resolved(model: &SetaModel, loading: &SetaLoading) -> RootPath {
     RootPath::resolved(model, loading, &options, &StopCriteria::default()).unwrap()
 }
 
+/// With one sheet.
+fn brittle_law(paths: &[RootPath], degree: usize) -> Result<SetaLaw, SetaLawError> {
+    SetaLaw::fitted(paths, &SetaLawOptions { degree, sheets: 1, ..SetaLawOptions::default() })
+}
+
 fn pulls(model: &SetaModel, degrees: &[f64], most: f64) -> Vec<RootPath> {
     degrees.iter().map(|&angle| resolved(model, &SetaLoading::pull(direction(angle), most))).collect()
 }
@@ -98,18 +105,18 @@ fn one_straight_shaft_has_the_stiffness_and_the_plane_of_the_closed_form() {
     let seta = shaft();
     let law = NormalPull { curve: brittle(), sideways: Sideways::Held(SPRING), contact_height: 0.0 };
     let model = SetaModel::new(seta.clone(), Arc::new(law));
-    let law = SetaLaw::fitted(&pulls(&model, &[10.0, 30.0, 60.0, 85.0, 105.0], 1000.0), 3).unwrap();
+    let law = brittle_law(&pulls(&model, &[10.0, 30.0, 60.0, 85.0, 105.0], 1000.0), 3).unwrap();
     let known = stiffness(&seta);
     let normal = known * Vector2::new(0.0, 1.0);
-    let found = law.response(SetaSheet::Adhering, [0.0; 2]);
+    let found = law.response(0, [0.0; 2]);
     println!("{law:?}\n{found:?}\nreference {known:?}, c {}", 2.0 * PULL_OFF / normal.norm());
     let eigen = |of: Matrix2<f64>| of.symmetric_eigenvalues();
     let (own, exact) = (eigen(Matrix2::from_fn(|i, j| found.stiffness[i][j])), eigen(known));
     assert_relative_eq!(own.max(), exact.max(), max_relative = 1e-4);
     assert_relative_eq!(own.min(), exact.min(), max_relative = 1e-4);
-    assert_relative_eq!(law.exit.distance, 2.0 * PULL_OFF / normal.norm(), max_relative = 1e-4);
+    assert_relative_eq!(law.first_exit().distance, 2.0 * PULL_OFF / normal.norm(), max_relative = 1e-4);
     for i in 0..2 {
-        assert_relative_eq!(law.exit.direction[i], normal[i] / normal.norm(), max_relative = 1e-4);
+        assert_relative_eq!(law.first_exit().direction[i], normal[i] / normal.norm(), max_relative = 1e-4);
     }
     assert!(law.errors.exit_left_out < 1e-4 && law.errors.force_left_out < 1e-4, "{:?}", law.errors);
     assert_relative_eq!(found.energy, -1800.0, max_relative = 1e-6);
@@ -120,9 +127,9 @@ fn four_tips_on_ways_that_the_law_was_not_made_of() {
     let model =
         SetaModel { mesh: SetaMesh { order: 2, elements: vec![2, 1, 1] }, ..model(small(), Sideways::Held(0.5)) };
     let paths = pulls(&model, &[20.0, 40.0, 60.0, 80.0, 100.0], 5000.0);
-    let laws = [2, 3, 4].map(|degree| SetaLaw::fitted(&paths, degree).unwrap());
+    let laws = [2, 3, 4].map(|degree| brittle_law(&paths, degree).unwrap());
     for law in &laws {
-        println!("degree {}: {:?}, {:?}", law.degree, law.exit, law.errors);
+        println!("degree {}: {:?}, {:?}", law.degree, law.first_exit(), law.errors);
     }
     let law = &laws[2];
     assert!(law.errors.force_left_out < laws[0].errors.force_left_out);
@@ -130,16 +137,38 @@ fn four_tips_on_ways_that_the_law_was_not_made_of() {
     let steps = vec![step(0.0, StepEnd::Travel(50.0)), step(90.0, StepEnd::Detached(5000.0))];
     let path = resolved(&model, &SetaLoading { start: SetaStart::Adhering, steps });
     let off = law.largest_force_error(&path) / law.largest_force;
-    let exit = law.exit.share(path.points.last().unwrap().root) - 1.0;
+    let first = path.points.iter().rfind(|point| point.tips == 4).unwrap();
+    let exit = law.first_exit().share(first.root) - 1.0;
     println!("another way: force {off:.2e}, exit {exit:.2e}");
     assert!(off < 2.0 * law.errors.force_left_out && exit.abs() < 2.0 * law.errors.exit_left_out);
-    assert_differences(law, path.points[path.points.len() / 2].root);
+    assert_differences(law, first.root.map(|own| 0.5 * own));
     assert_leaves_at_its_plane(law);
+}
+
+/// Peak and work of the whole pull-off by few sheets, on ways that the law was not made of, and without the sheets behind the first one.
+#[test]
+fn sheets_hold_behind_the_first_loss() {
+    let seta = Seta { forks: 4, tip_pitch: 300.0, ..small() };
+    let model = SetaModel { mesh: SetaMesh { order: 2, elements: vec![1; 5] }, ..model(seta, Sideways::Held(0.5)) };
+    let paths = pulls(&model, &[15.0, 30.0, 45.0, 60.0, 75.0, 90.0], 5000.0);
+    let law = SetaLaw::fitted(&paths, &SetaLawOptions { degree: 4, ..SetaLawOptions::default() }).unwrap();
+    let brittle = brittle_law(&paths, 4).unwrap();
+    println!("{:?}\n{:?}\n{:?}", law.sheets, law.errors, brittle.errors);
+    assert!(law.sheets.len() > 1 && brittle.sheets.len() == 1 && brittle.sheets[0] == law.sheets[0]);
+    assert!(law.errors.peak < 0.05 && law.errors.work < 0.02 && brittle.errors.work > 0.2);
+    let step = |degrees, until| SetaStep { direction: direction(degrees), until };
+    for [drag, angle] in [[30.0, 90.0], [50.0, 50.0], [10.0, 25.0]] {
+        let steps = vec![step(0.0, StepEnd::Travel(drag)), step(angle, StepEnd::Detached(5000.0))];
+        let path = resolved(&model, &SetaLoading { start: SetaStart::Adhering, steps });
+        let [[peak, work], [_, first]] = [&law, &brittle].map(|law| law.peak_and_work_error(&path));
+        println!("dragged {drag} nm, pulled at {angle}: peak {peak:.3}, work {work:.3}, brittle {first:.3}");
+        assert!(peak.abs() < law.errors.peak_left_out && work.abs() < law.errors.work_left_out && first < -0.1);
+    }
 }
 
 /// Force and stiffness against central differences of energy and force.
 fn assert_differences(law: &SetaLaw, root: [f64; 2]) {
-    let at = |root| law.response(SetaSheet::Adhering, root);
+    let at = |root| law.response(0, root);
     let here = at(root);
     for i in 0..2 {
         let moved = |by: f64| at(std::array::from_fn(|k| root[k] + if k == i { by } else { 0.0 }));
@@ -153,23 +182,30 @@ fn assert_differences(law: &SetaLaw, root: [f64; 2]) {
 
 fn assert_leaves_at_its_plane(law: &SetaLaw) {
     let way = [0.3, 1.0];
-    let ahead = law.exit.ahead([0.0; 2], way).unwrap();
+    let ahead = law.first_exit().ahead([0.0; 2], way).unwrap();
     let at = |share: f64| way.map(|x| x * share * ahead);
-    assert_relative_eq!(law.exit.share(at(1.0)), 1.0, max_relative = 1e-12);
-    assert_eq!(law.sheet(SetaSheet::Adhering, at(0.999)), SetaSheet::Adhering);
-    assert_eq!(law.sheet(SetaSheet::Adhering, at(1.001)), SetaSheet::Detached);
-    assert_eq!(law.sheet(SetaSheet::Detached, at(0.5)), SetaSheet::Detached);
-    assert_eq!((law.exit.ahead([0.0; 2], [-1.0, -1.0]), law.exit.ahead(at(2.0), way)), (None, Some(0.0)));
+    assert_relative_eq!(law.first_exit().share(at(1.0)), 1.0, max_relative = 1e-12);
+    assert_eq!(law.sheet(0, at(0.999)), 0);
+    assert_eq!(law.sheet(0, at(1.001)), 1);
+    assert_eq!(law.sheet(1, at(0.5)), 1);
+    let exit = law.first_exit();
+    assert_eq!((exit.ahead([0.0; 2], [-1.0, -1.0]), exit.ahead(at(2.0), way)), (None, Some(0.0)));
     let text = serde_json::to_string(law).unwrap();
     assert_eq!(&serde_json::from_str::<SetaLaw>(&text).unwrap(), law);
 }
 
 #[test]
 fn what_is_no_law_is_refused() {
-    let point = |x: f64, y: f64| RootPoint { root: [x, y], force: [x, 2.0 * y], energy: x * x / 2.0 + y * y };
+    let point = |x: f64, y: f64| RootPoint {
+        root: [x, y],
+        force: [x, 2.0 * y],
+        energy: x * x / 2.0 + y * y,
+        work: x * x / 2.0 + y * y,
+        tips: 1,
+    };
     let path = |x: f64, y: f64| RootPath { points: vec![point(0.0, 0.0), point(x, y)] };
     let three = [path(1.0, 1.0), path(2.0, 0.0), path(0.0, 2.0)];
-    let refused = |paths: &[RootPath], degree| SetaLaw::fitted(paths, degree).unwrap_err();
+    let refused = |paths: &[RootPath], degree| brittle_law(paths, degree).unwrap_err();
     assert_eq!(refused(&three, 5), SetaLawError::Degree { degree: 5 });
     assert_eq!(refused(&three[..2], 2), SetaLawError::TooFewPaths { paths: 2 });
     assert_eq!(refused(&[path(1.0, 1.0), path(2.0, 0.0), path(f64::NAN, 2.0)], 2), SetaLawError::Path { path: 2 });
@@ -186,7 +222,7 @@ fn what_is_no_law_is_refused() {
     assert_eq!(asked(&above, &StopCriteria::default()), SetaLawError::StartsAbove { height: 5.0 });
     let short = SetaLoading::pull([0.0, 1.0, 0.0], 10.0);
     assert!(
-        matches!(asked(&short, &StopCriteria::default()), SetaLawError::NoLoss { displacement } if displacement == 10.0)
+        matches!(asked(&short, &StopCriteria::default()), SetaLawError::StillAdheres { attached: 4, tips: 4, displacement } if displacement == 10.0)
     );
     assert_eq!(asked(&short, &StopCriteria::after_points(2)), SetaLawError::Stopped(Bound::Points(2)));
 }

@@ -5,7 +5,7 @@
 
 use crate::toe::setup::{PITCH, REACH, STIFFNESS, lamella, spring};
 use approx::assert_relative_eq;
-use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
+use peelkit::study::coarsening::{ExitPlane, LawSheet, SetaLaw, SetaLawErrors};
 use peelkit::toe::{ArrayDrive, ArrayEnd, ArrayError, Backing, Lamella, Patch, PatchStep, RootLaw, Scatter};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,7 +18,8 @@ fn fitted() -> RootLaw {
     let coefficients = vec![0.0, 0.0, 0.0, 40.0, 10.0, 30.0, -3.0, 2.0, 1.0, -4.0, 0.5, 0.0, -1.0, 0.0, -2.0];
     let exit = ExitPlane { direction: [0.6, 0.8], distance: 100.0 };
     let errors = SetaLawErrors::default();
-    RootLaw::Fitted(SetaLaw { degree: 4, scale: 100.0, coefficients, exit, largest_force: 1.0, errors })
+    let sheets = vec![LawSheet { tips: 1, coefficients, exit }];
+    RootLaw::Fitted(SetaLaw { degree: 4, scale: 100.0, sheets, largest_force: 1.0, errors })
 }
 
 /// Dragged, then lifted: between two events the force is summed over the setae one by one.
@@ -60,6 +61,32 @@ fn work_of_a_patch() {
         let own = patch.scatter.of(event.setae[0] as usize);
         assert_relative_eq!(0.6 * place[0] + 0.8 * (place[1] - own.height), 100.0 * own.strength, max_relative = 1e-11);
     }
+}
+
+/// A seta whose second sheet holds half as much, and whose exits are inclined to one another: lifted it goes from sheet to sheet, and the work is what
+/// its sheets take, one behind the other. Put down again before its last exit it stays on its sheet.
+#[test]
+fn sheets_are_left_one_behind_the_other() {
+    let RootLaw::Fitted(mut law) = fitted() else { unreachable!() };
+    let half = law.sheets[0].coefficients[..6].iter().map(|own| 0.5 * own).collect();
+    let exit = ExitPlane { direction: [0.0, 1.0], distance: 150.0 };
+    law.sheets.push(LawSheet { tips: 1, coefficients: half, exit });
+    let law = RootLaw::Fitted(law);
+    let lift = |distance| PatchStep { angle: FRAC_PI_2, distance };
+    let one = |steps| Patch { rows: 1, columns: 1, ..patch(law.clone(), Scatter::default(), steps) }.follow().unwrap();
+    let lifted = one(vec![lift(None)]);
+    let places: Vec<f64> = lifted.places.iter().map(|place| place[1]).collect();
+    assert_relative_eq!(places[..], [125.0, 150.0], max_relative = 1e-12);
+    let known = law.lifted().unwrap();
+    let energy = |sheet, height| law.sheet(sheet, 1.0).unwrap().potential.response([0.0, height]).energy;
+    assert_relative_eq!(known.work, energy(0, 125.0) + energy(1, 150.0) - energy(1, 125.0), max_relative = 1e-12);
+    assert_relative_eq!(lifted.work, known.work, max_relative = 1e-12);
+    assert_relative_eq!(lifted.released, energy(0, 125.0) - energy(1, 125.0) + energy(1, 150.0), max_relative = 1e-12);
+    let largest = lifted.forces.iter().map(|force| force[1]).fold(0.0, f64::max);
+    assert_relative_eq!(largest, known.force, max_relative = 1e-12);
+    let back = PatchStep { angle: -FRAC_PI_2, distance: Some(100.0) };
+    let down = one(vec![lift(Some(130.0)), back, lift(None)]);
+    assert_eq!(down.events.iter().map(|event| event.sheets).collect::<Vec<_>>(), [[0, 1], [1, 2]]);
 }
 
 /// Of a seta of strength s: s² E(u/s), as of a spring that softens.

@@ -5,7 +5,7 @@ use super::number::in_columns;
 use super::number::short;
 use super::units::{Unit, Units};
 use peelkit::model::{PullCurve, Seta};
-use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, TableRound, TipRange};
+use peelkit::study::coarsening::{GrowingTable, OutsideTable, Resolved, SetaLaw, TableRound, TipRange};
 use peelkit::study::{ConvergedPeak, SetaMoment, SetaPullOff, SetaState};
 use peelkit::units::PreferredUnits;
 use peelkit_report::{PassedAt, SetaLawFound, SetaMotion, TipEvents, seta_end_reason, seta_end_word, tip_peak};
@@ -179,16 +179,31 @@ pub fn equilibria_taken(count: usize) -> String {
 
 // -- The law of a seta --
 
+/// Its sheets, by the most tips on each.
+fn sheets(law: &SetaLaw) -> String {
+    match &law.sheets[..] {
+        [_] => format!("a potential of degree {}, up to the first loss of a tip", law.degree),
+        all => {
+            let tips: Vec<String> = all.iter().map(|sheet| sheet.tips.to_string()).collect();
+            format!("{} sheets, of at most {} tips", all.len(), tips.join(", "))
+        }
+    }
+}
+
 /// Its exit, its stiffness and its errors.
 pub fn seta_law(title: &str, found: &SetaLawFound) -> String {
     let (law, [soft, stiff]) = (&found.law, found.stiffness());
-    let [along, off] = law.exit.direction;
+    let exit = law.first_exit();
+    let [along, off] = exit.direction;
     let percent = |share: f64| format!("{:.2} %", 100.0 * share);
+    let errors = law.errors;
     let mut lines = vec![
-        ("law of a seta", format!("a potential of degree {}, up to the first loss of a tip", law.degree)),
-        ("exit", format!("{:.4} nm along {:.3} deg to the ground", law.exit.distance, off.atan2(along).to_degrees())),
+        ("law of a seta", sheets(law)),
+        ("first exit", format!("{:.4} nm along {:.3} deg to the ground", exit.distance, off.atan2(along).to_degrees())),
         ("stiffness", format!("{soft:.5} and {stiff:.5} N/m, across and along the stiff direction")),
-        ("largest force", format!("{:.4} nN", law.largest_force)),
+        ("largest force", format!("{:.4} nN before the first loss", law.largest_force)),
+        ("peak", format!("within {}, {} on a path left out", percent(errors.peak), percent(errors.peak_left_out))),
+        ("work", format!("within {}, {} on a path left out", percent(errors.work), percent(errors.work_left_out))),
     ];
     for (degree, errors) in (2..).zip(&found.by_degree) {
         let said = errors.as_ref().map_or_else(

@@ -2,7 +2,7 @@
 
 use super::table::beside;
 use crate::error::one_line;
-use peelkit::study::coarsening::{ExitPlane, SetaLaw, SetaLawErrors};
+use peelkit::study::coarsening::{ExitPlane, LawSheet, SetaLaw, SetaLawErrors};
 use std::fs;
 use std::io::ErrorKind;
 use toml::{Table, Value as Toml};
@@ -32,35 +32,56 @@ pub fn parse_seta_law(text: &str) -> Result<(SetaLaw, Vec<String>), String> {
     }
     let table: Table = before.parse().map_err(|error: toml::de::Error| format!("is no TOML: {}", error.message()))?;
     let number = |name: &str| table.get(name).and_then(number_of).ok_or_else(|| format!("lacks the number {name}"));
-    let list = |name: &str| {
-        let items = table.get(name).and_then(Toml::as_array);
-        let all = items.and_then(|items| items.iter().map(number_of).collect::<Option<Vec<f64>>>());
-        all.ok_or_else(|| format!("lacks the list of numbers {name}"))
-    };
-    let (degree, coefficients) = (number("degree")?, list("coefficients_aJ")?);
+    let degree = number("degree")?;
     let degree = if [2.0, 3.0, 4.0].contains(&degree) { degree as usize } else { 0 };
-    let wanted = (degree + 1) * (degree + 2) / 2;
-    if degree == 0 || coefficients.len() != wanted {
-        return Err(format!("has {} coefficients of degree {degree}, and {wanted} belong to it", coefficients.len()));
-    }
-    let direction = list("exit_direction")?;
-    let direction = direction.try_into().map_err(|_| "has no exit_direction of two numbers".to_owned())?;
+    let sheets = table.get("sheets").and_then(Toml::as_array).filter(|sheets| !sheets.is_empty());
+    let sheets = sheets.ok_or("lacks the list sheets: it is of an earlier peel, and `peel coarsen` makes it anew")?;
+    let sheets = sheets.iter().enumerate().map(|(number, sheet)| sheet_of(number, sheet.as_table(), degree));
+    let sheets = sheets.collect::<Result<Vec<LawSheet>, String>>()?;
     let lines = table.get("of").and_then(Toml::as_array).map(|lines| lines.iter().filter_map(Toml::as_str));
     let lines = lines.ok_or("lacks the list of")?.map(str::to_owned).collect();
     let law = SetaLaw {
         degree,
         scale: number("scale_nm")?,
-        coefficients,
-        exit: ExitPlane { direction, distance: number("exit_nm")? },
+        sheets,
         largest_force: number("largest_force_nN")?,
         errors: SetaLawErrors {
             force: number("force_error")?,
             force_left_out: number("force_error_left_out")?,
             exit: number("exit_error")?,
             exit_left_out: number("exit_error_left_out")?,
+            peak: number("peak_error")?,
+            peak_left_out: number("peak_error_left_out")?,
+            work: number("work_error")?,
+            work_left_out: number("work_error_left_out")?,
         },
     };
     Ok((law, lines))
+}
+
+/// A sheet of a law whose first one has a degree.
+fn sheet_of(number: usize, table: Option<&Table>, degree: usize) -> Result<LawSheet, String> {
+    let table = table.ok_or_else(|| format!("has no table as sheet {number}"))?;
+    let find = |name: &str| table.get(name).ok_or_else(|| format!("lacks {name} on sheet {number}"));
+    let list = |name: &str| {
+        let all = find(name)?.as_array().and_then(|items| items.iter().map(number_of).collect::<Option<Vec<f64>>>());
+        all.ok_or_else(|| format!("has no numbers as {name} on sheet {number}"))
+    };
+    let single =
+        |name: &str| number_of(find(name)?).ok_or_else(|| format!("has no number as {name} on sheet {number}"));
+    let coefficients = list("coefficients_aJ")?;
+    let degree = if number == 0 { degree } else { 2 };
+    let wanted = (degree + 1) * (degree + 2) / 2;
+    if degree == 0 || coefficients.len() != wanted {
+        let found = coefficients.len();
+        return Err(format!(
+            "has {found} coefficients of degree {degree} on sheet {number}, and {wanted} belong to it"
+        ));
+    }
+    let direction = list("exit_direction")?.try_into();
+    let direction = direction.map_err(|_| format!("has no exit_direction of two numbers on sheet {number}"))?;
+    let exit = ExitPlane { direction, distance: single("exit_nm")? };
+    Ok(LawSheet { tips: single("tips")? as usize, coefficients, exit })
 }
 
 fn number_of(value: &Toml) -> Option<f64> {

@@ -3,9 +3,7 @@
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
 use crate::adhesion::substrate_response::GroundLaw;
-use crate::beam::element::energy_density::{
-    Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState, StepEnd,
-};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState, StepEnd};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 use crate::solve::state::MEMORIES;
@@ -110,8 +108,8 @@ impl EnergyDensity<3> for BeamOnGround {
         self.friction.is_none() && self.ground.law.has_potential()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64, _: [f64; MEMORY]) -> SectionState {
-        self.profile.section_state(place, value[2], slopes)
+    fn section_state(&self, point: &Point<f64, 3>, _: f64) -> SectionState {
+        self.profile.section_state(point.place, point.value[2], point.slope)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {

@@ -11,7 +11,7 @@
 
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::beam::section::SectionAt;
 use crate::beam::varying::Profile;
 use crate::number::Real;
@@ -183,14 +183,8 @@ impl<const HELD: bool> EnergyDensity<2> for ReducedBeam<HELD> {
         sin + c.across * force + along - (rise + steeper)
     }
 
-    fn section_state(
-        &self,
-        place: f64,
-        [_, rotation]: [f64; 2],
-        [gap_slope, turn]: [f64; 2],
-        axial_multiplier: f64,
-        _: [f64; MEMORY],
-    ) -> SectionState {
+    fn section_state(&self, point: &Point<f64, 2>, axial_multiplier: f64) -> SectionState {
+        let &Point { place, value: [_, rotation], slope: [gap_slope, turn], .. } = point;
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let c = Compliance::of(&station, sin, cos);

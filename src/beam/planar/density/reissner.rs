@@ -5,7 +5,7 @@
 
 use crate::adhesion::section::coverage::TiltCount;
 use crate::adhesion::section::line_load::LineLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::beam::material::stretch_law::{StretchLaw, StretchResponse};
 use crate::beam::reference_configuration::ReferenceCurve;
 use crate::beam::section::{Section, SectionAt};
@@ -151,8 +151,8 @@ impl EnergyDensity<3> for ReissnerBeam {
         self.law.has_potential()
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slopes: [f64; 3], _: f64, _: [f64; MEMORY]) -> SectionState {
-        self.profile.section_state(place, value[2], slopes)
+    fn section_state(&self, point: &Point<f64, 3>, _: f64) -> SectionState {
+        self.profile.section_state(point.place, point.value[2], point.slope)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {
@@ -213,7 +213,7 @@ impl EnergyDensity<3> for ReissnerRod {
         stored_from(&self.section.splat(), StretchLaw::Linear, value[2], slope, known)
     }
 
-    fn section_state(&self, place: f64, value: [f64; 3], slope: [f64; 3], _: f64, _: [f64; MEMORY]) -> SectionState {
+    fn section_state(&self, &Point { place, value, slope, .. }: &Point<f64, 3>, _: f64) -> SectionState {
         section_of(&self.response(place, value, slope, 0.0), slope)
     }
 

@@ -165,16 +165,10 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         response
     }
 
-    fn section_state(
-        &self,
-        place: f64,
-        value: [f64; 3],
-        slopes: [f64; 3],
-        _: f64,
-        [.., outer, back, inner]: [f64; MEMORY],
-    ) -> SectionState {
-        let elastic = self.profile.section_state(place, value[2], slopes);
+    fn section_state(&self, &Point { place, value, slope, memory }: &Point<f64, 3>, _: f64) -> SectionState {
+        let elastic = self.profile.section_state(place, value[2], slope);
         let Some(law) = &self.yielding else { return elastic };
+        let [.., outer, back, inner] = memory;
         let station = self.profile.at(place);
         let bent = law.at([outer, back, inner], elastic.curvature - station.curvature);
         let moment = station.section.bending * bent.moment;

@@ -125,15 +125,8 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
         self.density.is_symmetric()
     }
 
-    fn section_state(
-        &self,
-        place: f64,
-        value: [f64; 3],
-        slopes: [f64; 3],
-        border: f64,
-        memory: [f64; MEMORY],
-    ) -> SectionState {
-        self.density.section_state(place, value, slopes, border, memory)
+    fn section_state(&self, point: &Point<f64, 3>, border: f64) -> SectionState {
+        self.density.section_state(point, border)
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], border: f64) -> SectionState {

@@ -2,7 +2,7 @@
 
 use super::elements::UniformChain;
 use crate::beam::element::basis::PerNode;
-use crate::beam::element::energy_density::{SectionState, StepEnd};
+use crate::beam::element::energy_density::{Point, SectionState, StepEnd};
 use crate::beam::element::integration::{Element, ElementEnergy, memory_of};
 use crate::beam::planar::chain::{Configuration, MOST_FIELDS, NodeState};
 use crate::solve::frontal::nodes::{BUNDLE, MOST_NODES, Nodes, slot};
@@ -169,7 +169,7 @@ impl<const F: usize> UniformChain<F> {
         all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
         let memory = memory_of(at.history, place);
-        (all, self.density.section_state(place, value, slope, at.axial_multiplier, memory))
+        (all, self.density.section_state(&Point { place, value, slope, memory }, at.axial_multiplier))
     }
 
     /// [`super::Chain::updated_history`]

@@ -15,7 +15,7 @@ use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate_response::GroundLaw;
-use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, PointResponse, SectionState};
+use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::element::integration::{Element, Responses};
 use crate::beam::planar::chain::{Chain, ChainFactors, CondensedChain, Configuration, ConstraintGradient};
@@ -95,7 +95,7 @@ impl<const F: usize, const BORDER: bool> EnergyDensity<F> for MadeUp<F, BORDER> 
         self.symmetric
     }
 
-    fn section_state(&self, _: f64, _: [f64; F], _: [f64; F], _: f64, _: [f64; MEMORY]) -> SectionState {
+    fn section_state(&self, _: &Point<f64, F>, _: f64) -> SectionState {
         SectionState::default()
     }
 

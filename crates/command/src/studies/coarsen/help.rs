@@ -32,17 +32,18 @@ Files:
 
 The tips of a seta follow the table with seta.tip_law = \"table\"; seta.tip_table names the folder.
 
-A scene with a [seta] gives the law of the seta: what holds its root, E(u, v), a potential of degree --degree. The root
-is pulled at 15 to 105 degrees until the first tip lets go. These places lie on a plane, u·d = c, behind which the law
-has the seta detached. Its errors are stated, with each path left out as well. The pull and the steps of the scene play
-no part.
+A scene with a [seta] gives the law of the seta: what holds its root, E(u, v), sheet by sheet. The root is pulled at 15
+to 105 degrees until the last tip lets go. The places at which the first one does lie on a plane, u·d = c. Up to there
+the law is a potential of degree --degree. Behind it come sheets of degree 2 with fewer tips, each up to a plane of its
+own. There are as few as meet the tolerance in peak and work of each pull, and at most --sheets. Errors are stated, with
+each path left out as well. The pull and the steps of the scene play no part.
 
-  summary.json        exit plane, stiffness, errors of each degree, and the scene
-  seta_law.toml       coefficients, exit plane, errors, the seta, and a check sum
+  summary.json        sheets, exit planes, stiffness, errors of each degree, and the scene
+  seta_law.toml       coefficients, exit planes, errors, the seta, and a check sum
   seta_paths.csv      one row for each equilibrium: force of the resolved seta, and by the law
-  seta_law.svg, .png  both against displacement, along each pull, with the exit
+  seta_law.svg, .png  both against displacement, along each pull, with the first exit
 
 Arrays take it with setae.law, the name of the folder; a [lamella] takes degree 2. With setae.seta, the scene of the
 seta, a missing folder is made by whatever command computes the array, and the law of another seta is refused.
 
-Exit status 3: the tolerance was not met; the table is written all the same, with its errors.";
+Exit status 3: the tolerance was not met; the law is written all the same, with its errors.";

@@ -10,7 +10,7 @@ use crate::terminal::progress::Bar;
 use crate::terminal::stop::Stop;
 use crate::text_summary;
 use clap::Args;
-use peelkit::study::coarsening::{CoarseningOptions, PadEnd};
+use peelkit::study::coarsening::{CoarseningOptions, PadEnd, SetaLawOptions};
 use peelkit_analyses::{SetaLawCoarsening, TipCoarsening};
 use peelkit_scene::{Described, Dimension, Scene};
 
@@ -21,7 +21,9 @@ pub struct Coarsen {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Error wanted of forces and moment, relative to the largest [default: 1e-3]
+    /// Error wanted, relative [default: 1e-3 of a tip, 0.02 of a seta]
+    ///
+    /// Of a tip that of forces and moment, over the largest. Of a seta that of peak and work of each pull.
     #[arg(long, value_name = "X")]
     tolerance: Option<f64>,
 
@@ -42,6 +44,12 @@ pub struct Coarsen {
     /// Degree of the law of a seta: 2, 3 or 4; a band takes 2
     #[arg(long, value_name = "N")]
     degree: Option<usize>,
+
+    /// Most sheets of the law of a seta [default: 16]
+    ///
+    /// With one the law is brittle: what the tips behind the first one hold is left out.
+    #[arg(long, value_name = "N")]
+    sheets: Option<usize>,
 
     #[command(flatten)]
     out: OutArgs,
@@ -83,11 +91,15 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
         // the reader of peels says why it is none
         _ => _ = args.scene.load()?,
     }
-    if args.degree.is_some() {
-        return Err(Stop::bad_input(
-            "--degree is of no use: the law of a tip is a table, and that of a seta alone has a degree",
-            "Omit it, or give a scene with a [seta].",
-        ));
+    for (option, given) in [("--degree", args.degree), ("--sheets", args.sheets)] {
+        if given.is_some() {
+            return Err(Stop::bad_input(
+                format!(
+                    "{option} is of no use: the law of a tip is a table, and that of a seta alone has degree and sheets"
+                ),
+                "Omit it, or give a scene with a [seta].",
+            ));
+        }
     }
     let coarsening = TipCoarsening::of(&scene, args.options(&scene)?).map_err(|why| Stop::refused(&scene, why))?;
     let drive = Drive {
@@ -106,14 +118,19 @@ pub fn coarsen(args: &Coarsen) -> Result<(), Stop> {
 fn of_seta(args: &Coarsen, scene: &Scene) -> Result<(), Stop> {
     let of_tips = [("--press", &args.press), ("--lateral", &args.lateral), ("--rotation", &args.rotation)];
     let range = of_tips.iter().find(|(_, given)| given.is_some()).map(|(option, _)| *option);
-    if let Some(option) = range.or(args.tolerance.map(|_| "--tolerance")) {
+    if let Some(option) = range {
         return Err(Stop::bad_input(
             format!("{option} is of no use: it is one of the law of a tip, and the scene has a [seta]"),
             "Omit it, or give the scene of a spatula.",
         ));
     }
-    let degree = args.degree.unwrap_or(2);
-    let coarsening = SetaLawCoarsening::of(scene, degree).map_err(|why| Stop::refused(scene, why))?;
+    let usual = SetaLawOptions::default();
+    let asked = SetaLawOptions {
+        degree: args.degree.unwrap_or(usual.degree),
+        sheets: args.sheets.unwrap_or(usual.sheets),
+        tolerance: args.tolerance.unwrap_or(usual.tolerance),
+    };
+    let coarsening = SetaLawCoarsening::of(scene, asked).map_err(|why| Stop::refused(scene, why))?;
     let drive = Drive {
         scene,
         out: &args.out,

@@ -92,7 +92,7 @@ impl ArrayFound<'_> {
 
     fn dome(&self) -> Option<f64> {
         let radius = self.table.patch?.dome_radius?;
-        Some(dome_pull_off(radius, self.table.law()?.work()? / self.table.pitch.powi(2)))
+        Some(dome_pull_off(radius, self.table.law()?.lifted()?.work / self.table.pitch.powi(2)))
     }
 }
 

@@ -8,7 +8,7 @@ use crate::value::form::Form;
 use crate::value::seta_law::{LawRead, other_seta, parse_seta_law, read_seta_law, read_seta_scene};
 use crate::value::{Fault, Value};
 use peelkit::analytic::{pretensioned_force, self_peeling_tension};
-use peelkit::study::coarsening::{ExitPlane, SetaSheet};
+use peelkit::study::coarsening::{ExitPlane, SetaLawErrors, SetaLawOptions};
 use peelkit::toe::{
     ArrayDrive, ArrayError, Backing, BandSection, Lamella, Patch, PatchStep, RootLaw, Scatter, SetaArray, Toe,
 };
@@ -168,9 +168,7 @@ impl ArrayTable {
     pub fn strength(&self) -> Option<f64> {
         let Some(fitted) = &self.fitted else { return Some(self.stiffness * self.reach) };
         let FittedSeta::Known { law, .. } = fitted else { return None };
-        let nearer = law.exit.direction[1];
-        let at = [0.0, law.exit.distance / nearer];
-        (nearer > 0.0).then(|| law.response(SetaSheet::Adhering, at).force[1])
+        Some(RootLaw::Fitted(law.clone()).lifted()?.force)
     }
 
     fn scatter(&self) -> Scatter {
@@ -199,7 +197,7 @@ impl ArrayTable {
 
     /// Γb, nN: the work of a row's setae over their pitch. None of a law whose exit is not above where it is at rest.
     pub fn peeling_energy(&self) -> Option<f64> {
-        Some(self.law()?.work()? * self.columns as f64 / self.pitch)
+        Some(self.law()?.lifted()?.work * self.columns as f64 / self.pitch)
     }
 
     /// The force of the band as a tape that peels steadily at an angle, with its tension, nN.
@@ -323,5 +321,16 @@ pub fn array_warnings(table: &ArrayTable) -> Vec<String> {
             )
         })
     };
-    bunching().into_iter().collect()
+    let law = || {
+        let Some(FittedSeta::Known { law, .. }) = &table.fitted else { return None };
+        let SetaLawErrors { peak, work, .. } = law.errors;
+        (peak.max(work) > SetaLawOptions::default().tolerance).then(|| {
+            format!(
+                "the law of the setae has its peaks within {:.1} % of those of the resolved seta, and its works within {:.1} %. Make it with more sheets or of a higher degree",
+                100.0 * peak,
+                100.0 * work
+            )
+        })
+    };
+    bunching().into_iter().chain(law()).collect()
 }
