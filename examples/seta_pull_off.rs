@@ -132,7 +132,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn print_law(model: &SetaModel, options: &SetaOptions) -> Result<(), Box<dyn Error>> {
-    let path = |loading: &SetaLoading| RootPath::resolved(model, loading, options, &StopCriteria::default());
+    let path = |loading: &SetaLoading| {
+        let begun = Instant::now();
+        let path = RootPath::resolved(model, loading, options, &StopCriteria::default())?;
+        println!("{} equilibria in {:.1} s: {:?}", path.points.len(), begun.elapsed().as_secs_f64(), loading.steps);
+        Ok::<_, Box<dyn Error>>(path)
+    };
     let paths: Vec<RootPath> = [15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0]
         .map(|degrees| path(&SetaLoading::pull(direction(degrees), FAR)))
         .into_iter()

@@ -188,7 +188,8 @@ impl<'a> Run<'a> {
                     displacement - here.displacement
                 }
             };
-            if left <= 0.0 {
+            // displacements are met to rounding
+            if left < SHORTEST {
                 return Ok(());
             }
             if let Some(bound) = self.bound() {
@@ -520,7 +521,7 @@ impl Run<'_> {
         let most = self.stop.points;
         let points = self.progress.result.points.len() >= most;
         let bounded = self.bounded();
-        let displacement = self.progress.here.observables.displacement >= bounded;
+        let displacement = bounded - self.progress.here.observables.displacement < SHORTEST;
         points
             .then_some(Bound::Points(most))
             .or(displacement.then_some(Bound::Displacement(bounded)))

@@ -43,6 +43,27 @@ fn ten_thousand_steps_do_not_drift() {
     assert!(last.work.abs() < 1e-8 * 2.0 * f64::from(cycles) * there, "{} of {there}", last.work);
 }
 
+/// Dragged by lengths that no sum of its steps is to the last digit, and pulled off; pulled up to displacements of that kind.
+///
+/// Expected: where a step or a bound is met to rounding it has been met. Each run ends, with the iterations of its neighbours: a step to what is left
+/// by rounding alone leads nowhere, and was tried again without an end.
+#[test]
+fn ends_of_steps_are_met_to_rounding() {
+    let seta = model(small(), Sideways::Held(0.5));
+    let drag = |length| SetaStep { direction: [1.0, 0.0, 0.0], until: StepEnd::Travel(length) };
+    for length in (0..36).map(|k| 10.0 + 1.4 * f64::from(k)) {
+        let run = pulled(&seta, SetaStart::Adhering, &[drag(length)]);
+        let last = run.points.last().unwrap();
+        assert_eq!(run.end, SetaEnd::Completed);
+        assert_abs_diff_eq!(last.root[0], length, epsilon = 1e-7);
+        assert!(run.effort.newton_iterations < 80, "{length} nm: {:?}", run.effort);
+        let stop = StopCriteria { displacement: Some(length), ..StopCriteria::default() };
+        let run = pull_off(&seta, &SetaLoading::pull([1.0, 0.0, 0.0], 500.0), &SetaOptions::default(), &stop).unwrap();
+        assert_eq!(run.end, SetaEnd::Bound(Bound::Displacement(length)));
+        assert!(run.effort.newton_iterations < 80, "{length} nm: {:?}", run.effort);
+    }
+}
+
 /// A seta whose tips stand far apart in height: where the lowest are pushed in, the highest are pulled.
 ///
 /// Reference: equilibrium of the whole, the forces of the tips together are that on the root. Expected: at rest tips of both signs that add up to the
