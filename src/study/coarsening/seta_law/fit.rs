@@ -1,22 +1,25 @@
 //! How the law of a seta is made of resolved paths: each sheet by least squares, and sheets divided until peaks and works are those of the paths.
+//!
+//! The first sheet is fitted to forces. On one behind it tips let go while it holds, so that the force falls from loss to loss and rises between them.
+//! Its stiffness K is that of the rises, ΔF = K Δu from one point to the next one with the same tips: that of a set of tips, and never negative.
 
-use super::law::{ExitPlane, LawSheet, RootResponse, SetaLaw, SetaLawErrors, powers, term};
+use super::law::{ExitPlane, LawSheet, RootResponse, SetaLaw, SetaLawErrors, length, powers, term};
 use super::path::{RootPath, RootPoint, SetaLawError};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// Least singular value over the largest one of columns of equal length: below that the paths do not determine the first sheet.
 const RANK: f64 = 1e-9;
-/// The same of a sheet behind it: what the paths determine less than so is left out of its potential, as they cross it in a narrow strip.
+/// The same of the stiffness of a sheet behind it: what the paths determine less than so is left out.
 const STRIP: f64 = 1e-3;
-/// Degree of the sheets behind the first one.
-const BEHIND: usize = 2;
 /// Fewest paths: one is left out, and two determine a plane.
 const FEWEST_PATHS: usize = 3;
 /// Most sheets that may be asked for.
 const MOST_SHEETS: usize = 64;
 /// Where the tips of a sheet are divided.
-const PARTS: [f64; 3] = [0.25, 0.5, 0.75];
-/// A further sheet has to leave less than that of the sum of the squares of the errors.
+const PARTS: [f64; 5] = [0.125, 0.25, 0.5, 0.75, 0.875];
+/// Further sheets have to leave less than that of the sum of the squares of the errors.
 const GAIN: f64 = 0.9;
 
 /// What is asked of the law of a seta.
@@ -32,7 +35,7 @@ pub struct SetaLawOptions {
 
 impl Default for SetaLawOptions {
     fn default() -> Self {
-        Self { degree: 2, sheets: 16, tolerance: 0.02 }
+        Self { degree: 2, sheets: 16, tolerance: 0.03 }
     }
 }
 
@@ -54,8 +57,8 @@ impl SetaLawOptions {
 }
 
 impl SetaLaw {
-    /// Of resolved paths. Every point of a sheet counts alike. Where more sheets would help little the law has fewer than may be, and its errors may
-    /// be above the tolerance.
+    /// Of resolved paths. Every point of a sheet counts alike. Where no law is within the tolerance, it has the fewest sheets that are hardly worse
+    /// than the best.
     ///
     /// # Errors
     /// What cannot be asked for; paths that are too few, that are none, or that do not determine the first sheet with any one of them left out.
@@ -70,22 +73,27 @@ impl SetaLaw {
             return Err(SetaLawError::Path { path });
         }
         let all: Vec<&RootPath> = paths.iter().collect();
-        let mut most = vec![tips];
-        let mut law = Fit { paths: &all, degree }.law(&most)?;
-        let mut left = Errors::of(&law, &all);
-        while most.len() < sheets && left.largest() > tolerance {
-            let further = divided(&most).into_iter().filter_map(|most| {
-                let law = Fit { paths: &all, degree }.law(&most).ok()?;
+        let fit = Fit::of(&all, degree)?;
+        let whole = fit.law(&[tips]);
+        let mut made = vec![(Errors::of(&whole, &all), whole, vec![tips])];
+        while let Some((errors, _, most)) = made.last()
+            && most.len() < sheets
+            && errors.largest() > tolerance
+        {
+            let further = divided(most).into_iter().filter_map(|most| {
+                let law = fit.law(&most);
                 (law.sheets.len() == most.len()).then(|| (Errors::of(&law, &all), law, most))
             });
-            let Some((errors, best, finer)) = further.min_by(|a, b| a.0.squares().total_cmp(&b.0.squares())) else {
-                break;
-            };
-            if errors.squares() > GAIN * left.squares() {
-                break;
-            }
-            (law, most, left) = (best, finer, errors);
+            let Some(best) = further.min_by(|a, b| a.0.squares().total_cmp(&b.0.squares())) else { break };
+            made.push(best);
         }
+        // where none is within the tolerance, the first one that is hardly worse than the best
+        let least = made.iter().map(|law| law.0.squares()).fold(f64::INFINITY, f64::min);
+        let good = |(errors, ..): &(Errors, Self, Vec<usize>)| {
+            errors.largest() <= tolerance || GAIN * errors.squares() <= least
+        };
+        let found = made.iter().position(good).unwrap_or(0);
+        let (_, mut law, most) = made.swap_remove(found);
         law.errors = errors(&law, paths, degree, &most)?;
         Ok(law)
     }
@@ -112,73 +120,137 @@ fn divided(most: &[usize]) -> Vec<Vec<usize>> {
 
 // -- One law --
 
-/// Paths that a law is made of.
+/// Paths that a law is made of, with its first sheet.
 struct Fit<'a> {
     paths: &'a [&'a RootPath],
     degree: usize,
+    first: LawSheet,
+    /// Of the paths on it, nN
+    largest_force: f64,
+    /// Sheets behind it by their fewest and most tips
+    known: RefCell<BTreeMap<[usize; 2], Option<LawSheet>>>,
 }
 
-impl Fit<'_> {
-    /// With sheets of so many tips at most, without its errors. A sheet on which the paths have too few points is left out.
-    fn law(&self, most: &[usize]) -> Result<SetaLaw, SetaLawError> {
-        let undetermined = |least| SetaLawError::Undetermined { paths: self.paths.len(), degree: self.degree, least };
-        let tips = most[0];
-        let exit = self.exit(tips - 1).ok_or_else(|| undetermined(0.0))?;
-        let (scale, mut largest_force) = (exit.distance, 0.0f64);
-        self.with(tips - 1, tips)
-            .for_each(|point| largest_force = largest_force.max(point.force[0].hypot(point.force[1])));
-        let (coefficients, least) = self.potential([tips - 1, tips], self.degree, scale, RANK);
+impl<'a> Fit<'a> {
+    fn of(paths: &'a [&'a RootPath], degree: usize) -> Result<Self, SetaLawError> {
+        let undetermined = |least| SetaLawError::Undetermined { paths: paths.len(), degree, least };
+        let tips = paths[0].tips();
+        let exit = exit(paths, tips - 1).ok_or_else(|| undetermined(0.0))?;
+        let points: Vec<&RootPoint> = paths.iter().flat_map(|path| path.with(tips - 1, tips)).collect();
+        let (coefficients, least) = potential(&points, degree, exit.distance);
         let coefficients = coefficients.filter(|_| least >= RANK).ok_or_else(|| undetermined(least))?;
-        let mut sheets = vec![LawSheet { tips, coefficients, exit }];
+        let largest_force = points.iter().map(|point| length(point.force)).fold(0.0, f64::max);
+        let first = LawSheet { tips, coefficients, exit };
+        Ok(Self { paths, degree, first, largest_force, known: RefCell::default() })
+    }
+
+    /// With sheets of so many tips at most, the first one with all of them, without its errors. A sheet on which the paths have too few points is left
+    /// out.
+    fn law(&self, most: &[usize]) -> SetaLaw {
+        let mut sheets = vec![self.first.clone()];
         for (sheet, &tips) in most.iter().enumerate().skip(1) {
             let fewest = most.get(sheet + 1).copied().unwrap_or(0);
-            let potential = self.potential([fewest, tips], BEHIND, scale, STRIP).0;
-            if let (Some(coefficients), Some(exit)) = (potential, self.exit(fewest)) {
-                sheets.push(LawSheet { tips, coefficients, exit });
-            }
+            let mut known = self.known.borrow_mut();
+            sheets.extend(known.entry([fewest, tips]).or_insert_with(|| self.behind(fewest, tips)).clone());
         }
-        Ok(SetaLaw { degree: self.degree, scale, sheets, largest_force, errors: SetaLawErrors::default() })
+        let &Self { degree, largest_force, .. } = self;
+        SetaLaw { degree, scale: self.first.exit.distance, sheets, largest_force, errors: SetaLawErrors::default() }
+    }
+
+    /// A sheet behind the first one.
+    fn behind(&self, fewest: usize, tips: usize) -> Option<LawSheet> {
+        Some(LawSheet { tips, coefficients: self.spring(fewest, tips)?, exit: exit(self.paths, fewest)? })
     }
 
     fn with(&self, fewest: usize, most: usize) -> impl Iterator<Item = &RootPoint> {
         self.paths.iter().flat_map(move |path| path.with(fewest, most))
     }
 
-    /// Of the places at which no more than so many tips are left: the least sum of squares of u·d/c - 1. None where they do not determine it.
-    fn exit(&self, tips: usize) -> Option<ExitPlane> {
-        let places = DMatrix::from_fn(self.paths.len(), 2, |row, i| self.paths[row].loss(tips)[i]);
-        let (over, least) = least_squares(places, &DVector::from_element(self.paths.len(), 1.0), RANK);
-        let over = over.filter(|_| least >= RANK)?;
-        let norm = over.norm();
-        (norm > 0.0).then(|| ExitPlane { direction: [over[0] / norm, over[1] / norm], distance: 1.0 / norm })
-    }
-
-    /// The potential whose gradient is nearest to the forces where more than `fewest` and at most `most` tips adhere, at their mean energy, with the
-    /// least singular value over the largest one. None where there are fewer points than coefficients.
-    fn potential(&self, [fewest, most]: [usize; 2], degree: usize, scale: f64, rank: f64) -> (Option<Vec<f64>>, f64) {
-        let points: Vec<&RootPoint> = self.with(fewest, most).collect();
-        let powers = powers(degree);
-        if points.len() < powers.len() {
-            return (None, 0.0);
+    /// E0 + g·u + ½ u·K u where more than `fewest` and at most `most` tips adhere, with the mean force and the mean energy. None where fewer than three
+    /// paths have two points with the same tips there.
+    fn spring(&self, fewest: usize, most: usize) -> Option<Vec<f64>> {
+        let (mut rows, mut wanted, mut paths) = (Vec::new(), Vec::new(), 0);
+        for path in self.paths {
+            let before = wanted.len();
+            for pair in path.points.windows(2) {
+                let [one, next] = pair else { continue };
+                let way = [next.root[0] - one.root[0], next.root[1] - one.root[1]];
+                if one.tips == next.tips && one.tips > fewest && one.tips <= most && length(way) > 0.0 {
+                    rows.extend([way[0], way[1], 0.0, 0.0, way[0], way[1]]);
+                    wanted.extend([next.force[0] - one.force[0], next.force[1] - one.force[1]]);
+                }
+            }
+            paths += usize::from(wanted.len() > before);
         }
-        let force = points.iter().map(|point| point.force[0].hypot(point.force[1])).fold(f64::MIN_POSITIVE, f64::max);
-        let terms: Vec<Vec<RootResponse>> =
-            points.iter().map(|point| powers.iter().map(|&power| term(power, point.root, scale)).collect()).collect();
-        // numbers without units: forces over the largest one, energies over that times s; the constant has no force
-        let rows = terms.iter().flat_map(|terms| [0, 1].map(|i| (terms, i)));
-        let rows = rows.flat_map(|(terms, i)| terms[1..].iter().map(move |term| term.force[i] * scale));
-        let matrix = DMatrix::from_row_iterator(2 * points.len(), powers.len() - 1, rows);
-        let wanted =
-            DVector::from_iterator(2 * points.len(), points.iter().flat_map(|p| p.force.map(|own| own / force)));
-        let (solved, least) = least_squares(matrix, &wanted, rank);
-        let Some(solved) = solved else { return (None, least) };
-        let own: Vec<f64> = solved.iter().map(|own| own * force * scale).collect();
-        let rest = points.iter().zip(&terms).map(|(point, terms)| {
-            point.energy - terms[1..].iter().zip(&own).map(|(term, own)| term.energy * own).sum::<f64>()
-        });
-        let mean = rest.sum::<f64>() / points.len() as f64;
-        (Some([&[mean][..], &own].concat()), least)
+        if paths < FEWEST_PATHS {
+            return None;
+        }
+        let matrix = DMatrix::from_row_slice(wanted.len(), 3, &rows);
+        let entries = least_squares(matrix, &DVector::from_vec(wanted), STRIP).0?;
+        let stiffness = never_negative(Matrix2::new(entries[0], entries[1], entries[1], entries[2]));
+        let (mut points, mut force, mut energy) = (0.0, Vector2::zeros(), 0.0);
+        for point in self.with(fewest, most) {
+            let root = Vector2::from(point.root);
+            points += 1.0;
+            force += Vector2::from(point.force) - stiffness * root;
+            energy += point.energy - 0.5 * root.dot(&(stiffness * root));
+        }
+        force /= points;
+        let places = self.with(fewest, most).map(|point| force.dot(&Vector2::from(point.root)));
+        energy = (energy - places.sum::<f64>()) / points;
+        let [along, mixed, normal] = [stiffness[(0, 0)], stiffness[(0, 1)], stiffness[(1, 1)]];
+        let scale = self.first.exit.distance;
+        let square = scale * scale;
+        Some(vec![
+            energy,
+            force[0] * scale,
+            force[1] * scale,
+            0.5 * along * square,
+            mixed * square,
+            0.5 * normal * square,
+        ])
     }
+}
+
+/// Of the places at which no more than so many tips are left: the least sum of squares of u·d/c - 1. None where they do not determine it.
+fn exit(paths: &[&RootPath], tips: usize) -> Option<ExitPlane> {
+    let places = DMatrix::from_fn(paths.len(), 2, |row, i| paths[row].loss(tips)[i]);
+    let (over, least) = least_squares(places, &DVector::from_element(paths.len(), 1.0), RANK);
+    let over = over.filter(|_| least >= RANK)?;
+    let norm = over.norm();
+    (norm > 0.0).then(|| ExitPlane { direction: [over[0] / norm, over[1] / norm], distance: 1.0 / norm })
+}
+
+/// The potential whose gradient is nearest to the forces at points, at their mean energy, with the least singular value over the
+/// largest one. None where there are fewer points than coefficients.
+fn potential(points: &[&RootPoint], degree: usize, scale: f64) -> (Option<Vec<f64>>, f64) {
+    let powers = powers(degree);
+    if points.len() < powers.len() {
+        return (None, 0.0);
+    }
+    let force = points.iter().map(|point| length(point.force)).fold(f64::MIN_POSITIVE, f64::max);
+    let terms: Vec<Vec<RootResponse>> =
+        points.iter().map(|point| powers.iter().map(|&power| term(power, point.root, scale)).collect()).collect();
+    // numbers without units: forces over the largest one, energies over that times s; the constant has no force
+    let rows = terms.iter().flat_map(|terms| [0, 1].map(|i| (terms, i)));
+    let rows = rows.flat_map(|(terms, i)| terms[1..].iter().map(move |term| term.force[i] * scale));
+    let matrix = DMatrix::from_row_iterator(2 * points.len(), powers.len() - 1, rows);
+    let wanted = DVector::from_iterator(2 * points.len(), points.iter().flat_map(|p| p.force.map(|own| own / force)));
+    let (solved, least) = least_squares(matrix, &wanted, RANK);
+    let Some(solved) = solved else { return (None, least) };
+    let own: Vec<f64> = solved.iter().map(|own| own * force * scale).collect();
+    let rest = points.iter().zip(&terms).map(|(point, terms)| {
+        point.energy - terms[1..].iter().zip(&own).map(|(term, own)| term.energy * own).sum::<f64>()
+    });
+    let mean = rest.sum::<f64>() / points.len() as f64;
+    (Some([&[mean][..], &own].concat()), least)
+}
+
+/// The nearest symmetric matrix without negative eigenvalues.
+fn never_negative(stiffness: Matrix2<f64>) -> Matrix2<f64> {
+    let mut eigen = stiffness.symmetric_eigen();
+    eigen.eigenvalues.apply(|own| *own = own.max(0.0));
+    eigen.recompose()
 }
 
 /// The least squares of A x = b with columns of equal length, and the least of its singular values over the largest. Of x what belongs to singular
@@ -222,7 +294,7 @@ fn errors(law: &SetaLaw, paths: &[RootPath], degree: usize, most: &[usize]) -> R
     let mut out = SetaLawErrors::default();
     for (left_out, path) in paths.iter().enumerate() {
         let others: Vec<&RootPath> = (0..paths.len()).filter(|&other| other != left_out).map(|k| &paths[k]).collect();
-        let without = Fit { paths: &others, degree }.law(most)?;
+        let without = Fit::of(&others, degree)?.law(most);
         let [own, other] = [law, &without].map(|made| {
             let [peak, work] = Errors::of(made, &[path]).each();
             let force = made.largest_force_error(path) / law.largest_force;

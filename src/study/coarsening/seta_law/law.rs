@@ -4,7 +4,7 @@
 //!
 //! u = (u, v) is how far the root has been moved along the ground and along its normal, from where the plane of the tips is the ground; it neither
 //! turns nor moves sideways. On sheet 0 all tips adhere, and n is 2, 3 or 4: no closed way of the root below its plane takes or gives work.
-//! On each sheet behind it some of the tips adhere, and n is 2: it is a mean over the tips that let go while it holds, so that it may soften.
+//! On each sheet behind it some of the tips adhere, and n is 2: its stiffness is that between two losses, its force the mean of the sheet.
 //! A law with one sheet is brittle: what the tips behind the first one hold is left out. A seta remembers nothing but the number of its sheet, and
 //! does not go back to an earlier one.
 
@@ -130,13 +130,14 @@ impl SetaLaw {
         off.fold(0.0, f64::max)
     }
 
-    /// By how much largest force and work along the places of a path differ from those of the resolved seta, relative.
+    /// By how much largest force and work along a path differ from those of the resolved seta, relative.
     pub fn peak_and_work_error(&self, path: &RootPath) -> [f64; 2] {
-        let [largest, work] = self.along(path.points.iter().map(|point| point.root));
+        let [largest, work] = self.along(path.corners().into_iter());
         [largest / path.largest_force() - 1.0, work / path.work() - 1.0]
     }
 
-    /// Largest force (nN) and work (aJ) of the root along places, and straight on behind the last two of them, from sheet 0 until the seta is detached.
+    /// Largest force (nN) and work (aJ) of the root straight from place to place, and straight on behind the last two of them, from sheet 0 until the
+    /// seta is detached. The force is looked at where the root is at a place, and where a sheet begins or ends.
     pub fn along(&self, places: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
         let (mut largest, mut work, mut on) = (0.0f64, 0.0, 0);
         let mut go = |on: &mut usize, from: [f64; 2], to: [f64; 2], most: f64| {
@@ -206,6 +207,6 @@ pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
-fn length(of: [f64; 2]) -> f64 {
+pub(super) fn length(of: [f64; 2]) -> f64 {
     of[0].hypot(of[1])
 }

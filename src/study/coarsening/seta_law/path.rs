@@ -1,5 +1,6 @@
 //! Resolved paths of the root of a seta, which its law is made of: pulls from where all tips adhere until the last one has let go.
 
+use super::law::dot;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;
@@ -9,6 +10,9 @@ use crate::study::seta::result::{EventCause, SetaEnd, SetaFailure, SetaPullOff};
 use crate::study::seta::run::pull_off;
 use crate::study::states::seta_state::SetaPoint;
 use serde::{Deserialize, Serialize};
+
+/// The root moves straight on where it is so near to the line of its last way, nm.
+const STRAIGHT: f64 = 1e-6;
 
 /// A place of the root in a resolved path, in the plane of x and y.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -149,6 +153,24 @@ impl RootPath {
     /// Its points with more than `fewest` and at most `most` tips.
     pub(super) fn with(&self, fewest: usize, most: usize) -> impl Iterator<Item = &RootPoint> {
         self.points.iter().filter(move |point| point.tips > fewest && point.tips <= most)
+    }
+
+    /// Places between which the root moves straight on, nm: the first and the last one, and those between its steps.
+    pub(super) fn corners(&self) -> Vec<[f64; 2]> {
+        let mut corners: Vec<[f64; 2]> = Vec::new();
+        for &RootPoint { root, .. } in &self.points {
+            if let [.., from, to] = corners[..] {
+                let (way, more) = ([to[0] - from[0], to[1] - from[1]], [root[0] - to[0], root[1] - to[1]]);
+                let across = (way[0] * more[1] - way[1] * more[0]).abs();
+                if across <= STRAIGHT * way[0].hypot(way[1]) && dot(way, more) >= 0.0 {
+                    corners.pop();
+                }
+            }
+            if corners.last() != Some(&root) {
+                corners.push(root);
+            }
+        }
+        corners
     }
 
     /// Tips that adhere at its start.

@@ -21,7 +21,7 @@ pub struct Coarsen {
     #[command(flatten)]
     scene: SceneArgs,
 
-    /// Error wanted, relative [default: 1e-3 of a tip, 0.02 of a seta]
+    /// Error wanted, relative [default: 1e-3 of a tip, 0.03 of a seta]
     ///
     /// Of a tip that of forces and moment, over the largest. Of a seta that of peak and work of each pull.
     #[arg(long, value_name = "X")]
