@@ -1,6 +1,5 @@
 //! Resolved paths of the root of a seta, which its law is made of: pulls from where all tips adhere until the last one has let go.
 
-use super::law::dot;
 use crate::model::seta::check::SetaError;
 use crate::model::seta::parameters::SetaModel;
 use crate::model::seta::tip_law::TipBranch;
@@ -162,7 +161,7 @@ impl RootPath {
             if let [.., from, to] = corners[..] {
                 let (way, more) = ([to[0] - from[0], to[1] - from[1]], [root[0] - to[0], root[1] - to[1]]);
                 let across = (way[0] * more[1] - way[1] * more[0]).abs();
-                if across <= STRAIGHT * way[0].hypot(way[1]) && dot(way, more) >= 0.0 {
+                if across <= STRAIGHT * way[0].hypot(way[1]) && way[0] * more[0] + way[1] * more[1] >= 0.0 {
                     corners.pop();
                 }
             }
