@@ -132,48 +132,35 @@ impl SetaLaw {
 
     /// By how much largest force and work along a path differ from those of the resolved seta, relative.
     pub fn peak_and_work_error(&self, path: &RootPath) -> [f64; 2] {
-        let [largest, work] = self.along(path.corners().into_iter());
+        let [largest, work] = self.along(&path.corners());
         [largest / path.largest_force() - 1.0, work / path.work() - 1.0]
     }
 
-    /// Largest force (nN) and work (aJ) of the root straight from place to place, and straight on behind the last two of them, from sheet 0 until the
-    /// seta is detached. The force is looked at where the root is at a place, and where a sheet begins or ends.
-    pub fn along(&self, places: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    /// Largest force (nN) and work (aJ) of the root straight from place to place, and straight on on the last way, from sheet 0 until the seta is
+    /// detached. The force is looked at where a way or a sheet begins or ends.
+    pub fn along(&self, places: &[[f64; 2]]) -> [f64; 2] {
         let (mut largest, mut work, mut on) = (0.0f64, 0.0, 0);
-        let mut go = |on: &mut usize, from: [f64; 2], to: [f64; 2], most: f64| {
+        for (leg, ends) in places.windows(2).enumerate() {
+            let &[from, to] = ends else { continue };
+            let most = if leg + 2 == places.len() { f64::INFINITY } else { 1.0 };
             let way = [to[0] - from[0], to[1] - from[1]];
-            let mut done = 0.0;
             let at = |share: f64| [from[0] + share * way[0], from[1] + share * way[1]];
-            while let Some(sheet) = self.sheets.get(*on) {
-                let ahead = sheet.exit.ahead(at(done), way).map_or(f64::INFINITY, |ahead| done + ahead);
-                let until = ahead.min(most);
+            let mut done = 0.0;
+            while let Some(sheet) = self.sheets.get(on) {
+                let left_at = sheet.exit.ahead(at(done), way).map_or(f64::INFINITY, |ahead| done + ahead);
+                let until = left_at.min(most);
                 if until.is_infinite() {
-                    return;
+                    break;
                 }
-                let [start, end] = [done, until].map(|share| self.response(*on, at(share)));
+                let [start, end] = [done, until].map(|share| self.response(on, at(share)));
                 work += end.energy - start.energy;
                 largest = largest.max(length(start.force)).max(length(end.force));
                 done = until;
-                if ahead > most {
-                    return;
+                if left_at > most {
+                    break;
                 }
-                *on += 1;
+                on += 1;
             }
-        };
-        let mut last = None;
-        let mut from: Option<[f64; 2]> = None;
-        for to in places {
-            if let Some(from) = from {
-                go(&mut on, from, to, 1.0);
-                if from != to {
-                    last = Some((from, to));
-                }
-            }
-            from = Some(to);
-        }
-        if let Some((from, to)) = last {
-            let beyond = [2.0 * to[0] - from[0], 2.0 * to[1] - from[1]];
-            go(&mut on, to, beyond, f64::INFINITY);
         }
         [largest, work]
     }
