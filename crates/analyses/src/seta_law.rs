@@ -113,8 +113,12 @@ impl Analysis for SetaLawCoarsening<'_> {
         let law = SetaLaw::fitted(&alone, &self.asked)
             .map_err(|why| Refusal::scene(why, "Give another --degree to `peel coarsen`."))?;
         let by_degree = DEGREES.map(|degree| {
-            let asked = SetaLawOptions { degree, ..self.asked };
-            SetaLaw::fitted(&alone, &asked).ok().map(|law| law.errors)
+            let other = SetaLawOptions { degree, ..self.asked };
+            if other == self.asked {
+                Some(law.errors)
+            } else {
+                SetaLaw::fitted(&alone, &other).ok().map(|law| law.errors)
+            }
         });
         Ok(SetaLawOutcome { found: SetaLawFound { law, asked: self.asked, by_degree, paths, seconds } })
     }

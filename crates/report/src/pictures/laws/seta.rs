@@ -80,9 +80,7 @@ fn apart(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 
 /// How far the root is pulled at an angle until it is on a plane, nm; none where that leads away from it.
 fn exit(plane: &ExitPlane, angle: f64) -> Option<f64> {
-    let [along, normal] = plane.direction;
-    let nearer = angle.cos() * along + angle.sin() * normal;
-    (nearer > 0.0).then(|| plane.distance / nearer)
+    plane.ahead([0.0; 2], [angle.cos(), angle.sin()])
 }
 
 /// A component of the force of the law on a sheet where the root is pulled so far at an angle.

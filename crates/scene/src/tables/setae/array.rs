@@ -166,9 +166,10 @@ impl ArrayTable {
 
     /// The most that a seta holds where it is lifted straight, nN; of a law by numbers along its exit. None where a lift does not lead to the exit.
     pub fn strength(&self) -> Option<f64> {
-        let Some(fitted) = &self.fitted else { return Some(self.stiffness * self.reach) };
-        let FittedSeta::Known { law, .. } = fitted else { return None };
-        Some(RootLaw::Fitted(law.clone()).lifted()?.force)
+        if self.fitted.is_none() {
+            return Some(self.stiffness * self.reach);
+        }
+        Some(self.law()?.lifted()?.force)
     }
 
     fn scatter(&self) -> Scatter {
