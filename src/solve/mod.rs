@@ -31,6 +31,8 @@ pub use points::search::LimitPointKind;
 pub use points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 pub use problem::{Direction, EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 pub use relax::{Held, RelaxError, RelaxOptions, Relaxed, disturbed, relax};
-pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, State};
-pub use system::{Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+pub use state::{History, MONITORS, Mesh, Observables, PathConstraint, Places, State};
+pub use system::{
+    Coefficients, CondensedSystem, EndRoll, Evaluation, INTERFACE, NodalTerms, Rates, StepDependence, System, Unknown,
+};
 pub use workspace::{Pace, ShouldStop, Workspace};

@@ -4,7 +4,7 @@ use super::error::{Quantity, SolveError};
 use super::frontal::grip_block::GripBlock;
 use super::problem::Problem;
 use super::state::{Observables, PathConstraint, State};
-use super::system::{Coefficients, CondensedSystem};
+use super::system::{Coefficients, CondensedSystem, StepDependence};
 use super::workspace::{Pace, Workspace};
 use serde::{Deserialize, Serialize};
 use std::sync::OnceLock;
@@ -125,7 +125,7 @@ pub fn solve(
     ws: &mut Workspace,
 ) -> Result<Solution, SolveError> {
     match ws.pace() {
-        Pace::Quick if problem.system.has_history() => {
+        Pace::Quick if problem.system.step_dependence() == StepDependence::Friction => {
             let first = iterate(Updates::Falling, problem, at.clone(), constraint, options, ws);
             match first {
                 Err(SolveError::NotConverged { .. }) => {

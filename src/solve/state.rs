@@ -34,14 +34,25 @@ pub struct State {
     pub history: Option<Arc<History>>,
 }
 
-/// What material points remember: `MEMORIES` numbers at each place of a grid that no mesh moves. Between its places they are
-/// interpolated by cubics. What the numbers are, their system says.
+/// Where the material points of a body are that remember.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Places {
+    /// So far apart (nm), from one end of the body to the other: no mesh moves them
+    Even(f64),
+    /// At the Gauss points of a mesh that stays: S, and the length that each stands for, nm
+    Gauss(Arc<Vec<[f64; 2]>>),
+}
+
+/// What material points remember: as many numbers at each. Between the points they are interpolated by cubics. What the numbers are, their system
+/// says.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct History {
-    /// From one place to the next, nm
-    pub spacing: f64,
-    /// Place by place
-    pub rows: Vec<[f64; MEMORIES]>,
+    /// Where the points are
+    pub places: Places,
+    /// How many numbers each remembers
+    width: usize,
+    /// Point by point
+    numbers: Vec<f64>,
     /// Energy dissipated since the beginning, aJ
     pub dissipated: f64,
     /// Where on their path the two newest steps ended, in a measure of the system's own
@@ -49,51 +60,108 @@ pub struct History {
     pub ends: [f64; 2],
 }
 
-/// How many numbers a material point may remember.
-pub(crate) const MEMORIES: usize = 9;
 /// Fewest and most steps from place to place.
 const FEWEST: usize = 16;
 const MOST: usize = 100_000;
 
 impl History {
     /// Of a body of this length (nm), with about `spacing` (nm) from one place to the next; `at` gives the numbers at S.
-    pub fn new(length: f64, spacing: f64, at: impl Fn(f64) -> [f64; MEMORIES]) -> Self {
+    pub fn even<const W: usize>(length: f64, spacing: f64, at: impl Fn(f64) -> [f64; W]) -> Self {
         let steps = ((length / spacing).ceil() as usize).clamp(FEWEST, MOST);
         let spacing = length / steps as f64;
-        Self { spacing, rows: (0..=steps).map(|k| at(k as f64 * spacing)).collect(), dissipated: 0.0, ends: [0.0; 2] }
+        let numbers = (0..=steps).flat_map(|k| at(k as f64 * spacing)).collect();
+        Self { places: Places::Even(spacing), width: W, numbers, dissipated: 0.0, ends: [0.0; 2] }
     }
 
-    /// The first `K` numbers at S.
+    /// Of points at the Gauss points of a mesh: S, and the length (nm) that each stands for. Their numbers, `width` each, are zero.
+    pub fn at_gauss_points(points: Vec<[f64; 2]>, width: usize) -> Self {
+        let numbers = vec![0.0; points.len() * width];
+        Self { places: Places::Gauss(Arc::new(points)), width, numbers, dissipated: 0.0, ends: [0.0; 2] }
+    }
+
+    /// The same at the Gauss points of another mesh.
+    pub fn on_gauss_points(&self, points: Vec<[f64; 2]>) -> Self {
+        let numbers = points.iter().flat_map(|[s, _]| self.interpolated(*s, self.width)).collect();
+        Self { places: Places::Gauss(Arc::new(points)), numbers, ..self.clone() }
+    }
+
+    /// How many points there are.
+    fn count(&self) -> usize {
+        self.numbers.len() / self.width
+    }
+
+    /// S of a point, nm
+    fn place(&self, point: usize) -> f64 {
+        match &self.places {
+            Places::Even(spacing) => point as f64 * spacing,
+            Places::Gauss(points) => points[point][0],
+        }
+    }
+
+    /// The length that a point stands for, nm.
+    fn length(&self, point: usize) -> f64 {
+        match &self.places {
+            Places::Even(spacing) if point == 0 || point + 1 == self.count() => 0.5 * spacing,
+            Places::Even(spacing) => *spacing,
+            Places::Gauss(points) => points[point][1],
+        }
+    }
+
+    /// The first `K` numbers of a point; zero beyond what it remembers.
+    pub fn of<const K: usize>(&self, point: usize) -> [f64; K] {
+        let known = &self.numbers[point * self.width..][..self.width];
+        std::array::from_fn(|column| known.get(column).copied().unwrap_or(0.0))
+    }
+
+    /// The first `K` numbers at S; zero beyond what is remembered.
     pub fn at<const K: usize>(&self, s: f64) -> [f64; K] {
-        let along = s / self.spacing;
-        let first = (along.floor() as usize).clamp(1, self.rows.len() - 3) - 1;
-        let t = along - first as f64;
-        let weights = [
-            (t - 1.0) * (t - 2.0) * (t - 3.0) / -6.0,
-            t * (t - 2.0) * (t - 3.0) / 2.0,
-            t * (t - 1.0) * (t - 3.0) / -2.0,
-            t * (t - 1.0) * (t - 2.0) / 6.0,
-        ];
-        std::array::from_fn(|column| (0..4).map(|k| weights[k] * self.rows[first + k][column]).sum())
+        let mut all = [0.0; K];
+        let known = self.interpolated(s, K.min(self.width));
+        all.iter_mut().zip(known).for_each(|(number, known)| *number = known);
+        all
     }
 
-    /// S of each place (nm), with its numbers.
-    pub fn iter(&self) -> impl Iterator<Item = (f64, [f64; MEMORIES])> + '_ {
-        self.rows.iter().enumerate().map(|(k, &row)| (k as f64 * self.spacing, row))
+    /// The first numbers at S, as many as are asked for.
+    fn interpolated(&self, s: f64, columns: usize) -> impl Iterator<Item = f64> {
+        let (first, weights) = match &self.places {
+            Places::Even(spacing) => {
+                let along = s / spacing;
+                let first = (along.floor() as usize).clamp(1, self.count() - 3) - 1;
+                let t = along - first as f64;
+                let weights = [
+                    (t - 1.0) * (t - 2.0) * (t - 3.0) / -6.0,
+                    t * (t - 2.0) * (t - 3.0) / 2.0,
+                    t * (t - 1.0) * (t - 3.0) / -2.0,
+                    t * (t - 1.0) * (t - 2.0) / 6.0,
+                ];
+                (first, weights)
+            }
+            Places::Gauss(points) => {
+                let first = points.partition_point(|point| point[0] < s).clamp(2, points.len() - 2) - 2;
+                let at: [f64; 4] = std::array::from_fn(|k| points[first + k][0]);
+                let others = |k: usize| (0..4).filter(move |&j| j != k);
+                (first, std::array::from_fn(|k| others(k).map(|j| (s - at[j]) / (at[k] - at[j])).product()))
+            }
+        };
+        (0..columns)
+            .map(move |column| (0..4).map(|k| weights[k] * self.numbers[(first + k) * self.width + column]).sum())
     }
 
-    /// Behind a step: `update` gives, for S and its numbers, those of now and an energy per length, nN; the integral of this along the body, aJ.
-    pub(crate) fn updated(
-        &self,
-        mut update: impl FnMut(f64, [f64; MEMORIES]) -> ([f64; MEMORIES], f64),
-    ) -> (Self, f64) {
+    /// Of each point S and the length that it stands for (nm), and its numbers.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64, &[f64])> {
+        self.numbers.chunks_exact(self.width).enumerate().map(|(k, row)| (self.place(k), self.length(k), row))
+    }
+
+    /// The numbers of each point, to be changed.
+    pub(crate) fn numbers_mut(&mut self) -> impl Iterator<Item = &mut [f64]> {
+        self.numbers.chunks_exact_mut(self.width)
+    }
+
+    /// Behind a step: `update` turns the numbers at S into those of now, and gives an energy per length, nN; the integral of this along the body, aJ.
+    pub(crate) fn updated(&self, mut update: impl FnMut(f64, &mut [f64]) -> f64) -> (Self, f64) {
         let (mut next, mut energy) = (self.clone(), 0.0);
-        let last = self.rows.len() - 1;
-        for (k, row) in next.rows.iter_mut().enumerate() {
-            let share = if k == 0 || k == last { 0.5 } else { 1.0 };
-            let density;
-            (*row, density) = update(k as f64 * self.spacing, *row);
-            energy += share * self.spacing * density;
+        for (k, row) in next.numbers_mut().enumerate() {
+            energy += self.length(k) * update(self.place(k), row);
         }
         (next, energy)
     }

@@ -116,6 +116,30 @@ impl EndRoll {
     }
 }
 
+/// How a path depends on its steps, because its material points remember them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum StepDependence {
+    /// It does not.
+    #[default]
+    None,
+    /// Faces slide under friction: where much that slides sticks at once the path has a corner, which whole updates of Newton's method overshoot.
+    Friction,
+    /// Sections yield: its points are so close to one another that an interpolant between them is as good as they are.
+    Yielding,
+}
+
+impl StepDependence {
+    /// Whether it does.
+    pub fn exists(self) -> bool {
+        self != Self::None
+    }
+
+    /// Whether sections yield.
+    pub fn is_yielding(self) -> bool {
+        self == Self::Yielding
+    }
+}
+
 /// A discretised structure.
 ///
 /// A *direction* is a change of the unknowns, one number each in the system's order; a state holds values, which may be more
@@ -155,14 +179,9 @@ pub trait System: Send + Sync {
         None
     }
 
-    /// Whether what its material points remember asks for points so close to one another that an interpolant between them is as good as they are.
-    fn has_close_points(&self) -> bool {
-        false
-    }
-
-    /// Whether material points remember what they went through.
-    fn has_history(&self) -> bool {
-        false
+    /// How its paths depend on their steps.
+    fn step_dependence(&self) -> StepDependence {
+        StepDependence::None
     }
 
     /// Updates of this relative size, as in [`System::size`], may be round-off.

@@ -2,7 +2,6 @@
 
 use crate::adhesion::section::response::LineResponse;
 use crate::number::Real;
-use crate::solve::state::MEMORIES;
 
 /// Numbers that a density may remember at a point.
 pub(crate) const MEMORY: usize = 7;
@@ -208,10 +207,10 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
     /// Adds that to a response at the same point.
     fn add_remembered<T: Real>(&self, _point: &Point<T, F>, _response: &mut PointResponse<T, F>) {}
 
-    /// What a material point remembers behind a step, and an energy per length (nN): with friction what was dissipated there, of a face that does
-    /// not heal what it would win if it did.
-    fn remembered(&self, _end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
-        (before, 0.0)
+    /// Turns what a material point remembered before a step into what it does behind it. An energy per length (nN): with friction what was dissipated
+    /// there, of a face that does not heal what it would win if it did.
+    fn remember(&self, _end: &StepEnd<F>, _known: &mut [f64]) -> f64 {
+        0.0
     }
 
     /// Whether its film yields, so that its curvature does not follow from its moment alone.

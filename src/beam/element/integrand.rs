@@ -5,7 +5,6 @@
 
 use super::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState, StepEnd};
 use crate::number::{F64x4, Real};
-use crate::solve::state::MEMORIES;
 
 /// The energies at a point, per length.
 #[derive(Clone, Copy, Debug)]
@@ -82,8 +81,8 @@ pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
     fn remembers(&self) -> bool;
     /// Adhesion energy per length, nN, with these fields and what is remembered
     fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64;
-    /// [`EnergyDensity::remembered`]
-    fn remembered(&self, end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64);
+    /// [`EnergyDensity::remember`]
+    fn remember(&self, end: &StepEnd<F>, known: &mut [f64]) -> f64;
     /// [`EnergyDensity::yields`]
     fn yields(&self) -> bool;
     /// [`EnergyDensity::section_state`]
@@ -161,8 +160,8 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
         response(self, &Point { place, value, slope: [0.0; F], memory }, axial_multiplier).adhesion
     }
 
-    fn remembered(&self, end: &StepEnd<F>, before: [f64; MEMORIES]) -> ([f64; MEMORIES], f64) {
-        EnergyDensity::remembered(self, end, before)
+    fn remember(&self, end: &StepEnd<F>, known: &mut [f64]) -> f64 {
+        EnergyDensity::remember(self, end, known)
     }
 
     fn yields(&self) -> bool {

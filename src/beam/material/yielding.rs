@@ -155,8 +155,8 @@ impl BendingLaw {
     }
 }
 
-/// Share of the largest curvature by which a section has to be bent back before it has turned: what is remembered is interpolated, and a section that
-/// has yielded gives way much where its moment is wrong by little.
+/// Share of the largest curvature by which a section has to be bent back before it has turned. Next to a turn the moment of a section that has yielded
+/// changes slope at once, by as much as E over Eₜ, and updates of Newton's method go to and fro.
 const SLACK: f64 = 1e-4;
 
 /// The turns by which a section goes.
@@ -181,6 +181,9 @@ fn vertex([first, middle, last]: [f64; 3], before: f64) -> Option<f64> {
     let slope = (last - middle) - bend;
     Some(middle - 0.25 * slope * slope / bend)
 }
+
+/// How many numbers [`BendingMemory`] has.
+pub(crate) const BENDING: usize = TURNS + 2;
 
 /// What a section remembers of its bending from step to step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -244,7 +247,7 @@ mod tests {
     /// moment gives back; with the slack by which a section has to be bent back before it turns, a thousandth of the moment at which it yields.
     #[test]
     fn a_section_is_bent_as_its_fibres_are() {
-        let (mut slips, mut known) = (vec![0.0; 4000], BendingMemory::read(&[0.0; TURNS + 2]));
+        let (mut slips, mut known) = (vec![0.0; 4000], BendingMemory::read(&[0.0; BENDING]));
         let (mut work, mut before, mut at) = (0.0, 0.0, 0.0);
         for pair in WAY.windows(2) {
             for k in 1..=1000 {

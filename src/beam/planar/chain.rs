@@ -168,9 +168,11 @@ pub trait Chain: Send + Sync {
     fn coverage_gradient(&self, at: Configuration) -> Vec<f64>;
     /// Section state at every end of the elements of a range.
     fn node_states(&self, at: Configuration, elements: Range<usize>) -> Vec<NodeState>;
+    /// S of every Gauss point, and the length that it stands for, nm
+    fn gauss_points(&self, ends: &[f64]) -> Vec<[f64; 2]>;
     /// What the material points remember behind a step that ended in a configuration, the step before being `before` times as long, and the
     /// integral of the energy that
-    /// [`EnergyDensity::remembered`](crate::beam::element::energy_density::EnergyDensity::remembered) gives, aJ; nothing where nothing remembers.
+    /// [`EnergyDensity::remember`](crate::beam::element::energy_density::EnergyDensity::remember) gives, aJ; nothing where nothing remembers.
     fn updated_history(&self, at: Configuration, before: f64) -> Option<(History, f64)>;
     /// Fields at the local coordinate `local` in [-1, 1] of element `element`, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);

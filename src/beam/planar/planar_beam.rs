@@ -5,14 +5,15 @@ use super::model_limits::ModelLimits;
 use crate::adhesion::friction::dahl::FrictionState;
 use crate::adhesion::section::barrier::Barrier;
 use crate::adhesion::substrate::Substrate;
-use crate::beam::element::energy_density::SectionState;
+use crate::beam::element::energy_density::{FACE, SectionState};
 use crate::beam::element::integration::ElementEnergy;
 use crate::beam::grip_state::{GripForces, GripState};
+use crate::beam::material::yielding::BENDING;
 use crate::beam::mesh::{MeshKind, MeshPolicy, nodal_lengths};
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::viscosity::Viscosity;
 use crate::solve::path::hermite::Hermite;
-use crate::solve::state::{History, Mesh, State};
+use crate::solve::state::{History, Mesh, Places, State};
 use crate::solve::system::{Coefficients, Evaluation, INTERFACE, System};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -364,7 +365,11 @@ impl PlanarBeam {
     pub(crate) fn resampled(&self, at: &State, mesh: Mesh) -> State {
         let mut values = self.chain.resampled(self.configuration(at), &mesh.boundaries);
         values.extend_from_slice(&at.values[self.nodes(&at.values).len()..]);
-        State { mesh, values, ..at.clone() }
+        let history = at.history.clone().map(|known| match known.places {
+            Places::Even(_) => known,
+            Places::Gauss(_) => Arc::new(known.on_gauss_points(self.chain.gauss_points(&mesh.boundaries))),
+        });
+        State { mesh, values, force: at.force, history }
     }
 }
 
@@ -456,16 +461,14 @@ pub enum BeamMemory {
     /// Nothing
     #[default]
     Nothing,
-    /// How it has slid, from step to step: the rows are place, mobilisation and shear strength.
+    /// How it has slid, from step to step: place, mobilisation and shear strength of each point.
     Slip(Arc<History>),
-    /// How far it has been open and has slipped at most, where it does not heal: the rows are these up to where it began to close, by which the law
-    /// goes, and up to now.
+    /// How far it has been open and has slipped at most, where it does not heal: these up to where it began to close, by which the law goes, and up
+    /// to now.
     Opening(Arc<History>),
-    /// The same of a face under a film that yields: the turns of its curvature stand behind it, and the work that it has taken by
-    /// yielding over EI, 1/nm.
+    /// The same of a face under a film that yields, at the Gauss points of its mesh, which stays: the turns of its curvature stand behind it, and the
+    /// work that it has taken by yielding over EI, 1/nm.
     Film {
-        /// At rest
-        history: Arc<History>,
         /// Whether its face is as new where it comes back
         heals: bool,
     },
@@ -475,14 +478,6 @@ pub enum BeamMemory {
 const HEALED: f64 = 1e-11;
 
 impl BeamMemory {
-    /// At rest
-    pub(crate) fn at_rest(&self) -> Option<&Arc<History>> {
-        match self {
-            Self::Nothing => None,
-            Self::Slip(history) | Self::Opening(history) | Self::Film { history, .. } => Some(history),
-        }
-    }
-
     /// At rest, of a face that slides under friction
     pub(crate) fn slip_at_rest(&self) -> Option<&Arc<History>> {
         match self {
@@ -493,6 +488,17 @@ impl BeamMemory {
 }
 
 impl PlanarBeam {
+    /// What its material points remember at rest, on a mesh.
+    pub(super) fn memory_at_rest(&self, ends: &[f64]) -> Option<Arc<History>> {
+        match &self.memory {
+            BeamMemory::Nothing => None,
+            BeamMemory::Slip(history) | BeamMemory::Opening(history) => Some(history.clone()),
+            BeamMemory::Film { .. } => {
+                Some(Arc::new(History::at_gauss_points(self.chain.gauss_points(ends), FACE + BENDING)))
+            }
+        }
+    }
+
     /// What its material points remember behind a step that ended in a state.
     pub(super) fn remembered(&self, at: &State) -> Option<History> {
         let before = at.history.as_deref()?;
@@ -516,7 +522,7 @@ impl PlanarBeam {
         let (_, healed) = self.chain.updated_history(self.configuration(at), 0.0)?;
         let mut known =
             at.history.as_deref().filter(|_| healed > HEALED * self.rest_adhesion.abs() * self.process_length)?.clone();
-        known.rows.iter_mut().for_each(|row| (row[0], row[1]) = (row[2], row[3]));
+        known.numbers_mut().for_each(|row| (row[0], row[1]) = (row[2], row[3]));
         Some(known)
     }
 }
@@ -533,17 +539,17 @@ const ALL: f64 = 1.0 - 1e-9;
 impl FrictionHistory<'_> {
     /// S of each place (nm), with what it remembers.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (f64, FrictionState)> + '_ {
-        self.0.iter().map(|(s, [place, mobilisation, limit, ..])| (s, FrictionState { place, mobilisation, limit }))
+        self.0.points().map(|(s, _, row)| (s, FrictionState { place: row[0], mobilisation: row[1], limit: row[2] }))
     }
 
     /// ∫ τ dS, the friction that the contact bears per width, nN/nm.
     pub(crate) fn capacity(&self) -> f64 {
-        self.0.spacing * self.0.rows.iter().map(|row| row[2]).sum::<f64>()
+        self.0.points().map(|(_, length, row)| length * row[2]).sum()
     }
 
     /// ∫ t dS, what of it is carried, likewise; its sign is that of the way gone.
     pub(crate) fn carried(&self) -> f64 {
-        self.0.spacing * self.0.rows.iter().map(|row| row[1] * row[2]).sum::<f64>()
+        self.0.points().map(|(_, length, row)| length * row[1] * row[2]).sum()
     }
 
     /// Whether all that is in contact slides one way, or the friction that it bears is below `little`, nN/nm.

@@ -7,7 +7,9 @@ use crate::beam::mesh::MeshKind;
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::solve::error::SolveError;
 use crate::solve::state::{History, MONITORS, Mesh, State};
-use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, System, Unknown};
+use crate::solve::system::{
+    Coefficients, CondensedSystem, Evaluation, INTERFACE, NodalTerms, Rates, StepDependence, System, Unknown,
+};
 use crate::solve::workspace::Workspace;
 use std::sync::Arc;
 
@@ -61,12 +63,12 @@ impl System for PlanarBeam {
         self.conservative
     }
 
-    fn has_close_points(&self) -> bool {
-        matches!(self.memory, BeamMemory::Film { .. })
-    }
-
-    fn has_history(&self) -> bool {
-        matches!(self.memory, BeamMemory::Slip(_) | BeamMemory::Film { .. })
+    fn step_dependence(&self) -> StepDependence {
+        match self.memory {
+            BeamMemory::Nothing | BeamMemory::Opening(_) => StepDependence::None,
+            BeamMemory::Slip(_) => StepDependence::Friction,
+            BeamMemory::Film { .. } => StepDependence::Yielding,
+        }
     }
 
     fn round_off(&self) -> f64 {
@@ -200,12 +202,8 @@ impl System for PlanarBeam {
         if self.chain.has_border() {
             values.extend([self.pretension, self.stretch]);
         }
-        State {
-            mesh: Mesh { boundaries, focus, ..Mesh::default() },
-            values,
-            force: 0.0,
-            history: self.memory.at_rest().cloned(),
-        }
+        let history = self.memory_at_rest(&boundaries);
+        State { mesh: Mesh { boundaries, focus, ..Mesh::default() }, values, force: 0.0, history }
     }
 
     fn on_elements(&self, at: &State, elements: usize) -> State {

@@ -8,7 +8,7 @@ use crate::adhesion::section::law::Law;
 use crate::adhesion::section::line_load::{LineLaw, LineLoad};
 use crate::adhesion::substrate::Substrate;
 use crate::adhesion::substrate_response::GroundLaw;
-use crate::beam::element::energy_density::EnergyDensity;
+use crate::beam::element::energy_density::{EnergyDensity, FACE};
 use crate::beam::element::integrand::PlanarIntegrand;
 use crate::beam::mesh::{Focus, MeshKind, MeshPolicy, Reach};
 use crate::beam::planar::chain::{Chain, MOST_FIELDS};
@@ -24,7 +24,7 @@ use crate::beam::varying::{Profile, Varying};
 use crate::model::ground::FLOOR_OF_STICKING;
 use crate::model::peel::{Form, Hold, PeelModel};
 use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure};
-use crate::solve::state::{History, MEMORIES};
+use crate::solve::state::History;
 use crate::solve::system::INTERFACE;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -90,7 +90,6 @@ const TURNING: f64 = 0.5;
 /// changes.
 const SLIP_SPACING: f64 = 1.0 / 24.0;
 const OPENING_SPACING: f64 = 1.0 / 96.0;
-const BENDING_SPACING: f64 = 1.0 / 48.0;
 /// Most remembered openings: each point of a path has its own.
 const MOST_OPENINGS: f64 = 20_000.0;
 
@@ -283,16 +282,14 @@ impl PeelModel {
         if let Some(law) = self.friction_law() {
             return BeamMemory::Slip(Arc::new(self.not_slid(rest, &law)));
         }
-        let nowhere = |spacing| Arc::new(History::new(self.length(), spacing, |_| [0.0; MEMORIES]));
-        let least = self.length() / MOST_OPENINGS;
         if self.yields() {
-            let history = nowhere((BENDING_SPACING * self.process_length()).max(least));
-            return BeamMemory::Film { history, heals: self.adhesion.healing };
+            return BeamMemory::Film { heals: self.adhesion.healing };
         }
         if self.adhesion.healing {
             return BeamMemory::Nothing;
         }
-        BeamMemory::Opening(nowhere((OPENING_SPACING * self.opening_length()).max(least)))
+        let spacing = (OPENING_SPACING * self.opening_length()).max(self.length() / MOST_OPENINGS);
+        BeamMemory::Opening(Arc::new(History::even(self.length(), spacing, |_| [0.0; FACE])))
     }
 
     /// The lower face in the stress-free configuration, which has not slid.
@@ -300,11 +297,9 @@ impl PeelModel {
         let face = |s: f64| {
             let ([x, gap, rotation], half) = (rest.at(s), 0.5 * self.section_at(s).2);
             let [limit, _] = law.limit(gap + half * (1.0 - rotation.cos()));
-            let mut row = [0.0; MEMORIES];
-            (row[0], row[2]) = (x + half * rotation.sin(), limit);
-            row
+            [x + half * rotation.sin(), 0.0, limit]
         };
-        History::new(self.length(), SLIP_SPACING * self.feature_length(), face)
+        History::even(self.length(), SLIP_SPACING * self.feature_length(), face)
     }
 
     /// Where elements are small next to the front, as if that were at S = 0. Corners of a law lie where it acts, a few

@@ -33,6 +33,8 @@ pub struct Path<'p> {
     history: Option<Arc<History>>,
     /// Whether a step has been refused because Newton's method did not converge from where it was predicted to lead.
     careful: bool,
+    /// Where sections yield: how long a step was at which Newton's method found no equilibrium, over the newest step
+    refused: Option<f64>,
     /// Where a step has led to another branch, until that lies behind.
     branch: Option<NearBranch>,
     /// What the path is measured by.
@@ -55,6 +57,9 @@ const REFUSE: f64 = 12.0;
 const LEAST_COSINE: f64 = 0.5;
 /// Most growth of a step.
 const MOST_GROWTH: f64 = 3.5;
+/// The longest step over one that was refused, and by how much that counts as longer with each step since.
+const OF_REFUSED: f64 = 0.5;
+const LESS_WARY: f64 = 1.1;
 /// Points at the beginning of a path that are stepped by the displacement alone: the monitors may not move yet.
 const OUTSET: usize = 3;
 /// The same for the second, before anything is known of the force's curvature.
@@ -86,6 +91,7 @@ impl<'p> Path<'p> {
             iterations: 0,
             history: None,
             careful: false,
+            refused: None,
             branch: None,
             notice: Notice::default(),
             mended: false,
@@ -127,19 +133,20 @@ impl<'p> Path<'p> {
     /// The newest point, for a path that is to go on from there.
     pub fn waypoint(&self) -> Option<Waypoint> {
         let point = self.points.last()?.clone();
-        let Self { iterations, careful, branch, notice, .. } = *self;
+        let Self { iterations, careful, refused, branch, notice, .. } = *self;
         let before = self.points.len().checked_sub(2).filter(|_| self.mended).map(|k| self.points[k].clone());
-        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, branch, notice, before })
+        Some(Waypoint { point, errors: self.errors.clone(), iterations, careful, refused, branch, notice, before })
     }
 
     /// Computes the next point, where it is not known.
     pub fn advance(&mut self) -> Result<Arc<Solution>, PathError> {
         self.mended = false;
         let point = match self.known.next() {
-            Some(Waypoint { point, errors, iterations, careful, branch, notice, before }) => {
+            Some(Waypoint { point, errors, iterations, careful, refused, branch, notice, before }) => {
                 before.into_iter().for_each(|mended| self.mend(mended));
                 (self.errors, self.iterations) = (errors, iterations);
-                (self.careful, self.branch, self.notice) = (careful, branch, notice);
+                (self.careful, self.refused) = (careful, refused);
+                (self.branch, self.notice) = (branch, notice);
                 point
             }
             None if self.points.is_empty() => Arc::new(self.first()?),
@@ -220,6 +227,7 @@ impl<'p> Path<'p> {
         let (mut count, mut step) = if outset { (1, self.first_step(&labels)) } else { self.choose(&labels) };
         step = step.abs().min(self.longest(&weights, &slope)).copysign(step);
         let (mut cause, mut crosses) = (SolveError::SingularGrip, false);
+        let newest_step = labels.get(1).map_or(step.abs(), |label| label.abs());
         for tries in 0..MOST_TRIES {
             if tries == DOUBTFUL
                 && let Ok(exact) = self.again(&newest, &weights)
@@ -246,7 +254,7 @@ impl<'p> Path<'p> {
                 Ok(next) => {
                     self.iterations += next.iterations;
                     // points that are as close as that to one another have slopes that are not those of the path
-                    let close = tries > CLOSE && self.problem.system.has_close_points();
+                    let close = tries > CLOSE && self.problem.system.step_dependence().is_yielding();
                     let turned = points.len() > 1 && !close && self.turns_sharply(&slope, &next);
                     let refused = SolveError::NotConverged { update: next.correction, iterations: next.iterations };
                     let seen = self.seen(&newest, &next, crosses);
@@ -261,6 +269,7 @@ impl<'p> Path<'p> {
                     {
                         (cause, step) = (refused, step * 0.4);
                     } else {
+                        self.refused = self.refused.map(|refused| LESS_WARY * refused * newest_step / step.abs());
                         self.errors = predictor::errors(self.problem, &points, &labels, &next, step);
                         self.branch = self.branch.filter(|near| !near.is_behind(self.problem, &newest, &next));
                         return Ok(next);
@@ -269,7 +278,9 @@ impl<'p> Path<'p> {
                 Err(error) => {
                     self.iterations += 3;
                     // the path of a structure that remembers has corners, across which fewer points predict better
-                    self.careful = !self.problem.system.has_history();
+                    self.careful = !self.problem.system.step_dependence().exists();
+                    let yields = self.problem.system.step_dependence().is_yielding();
+                    self.refused = yields.then_some(step.abs() / newest_step);
                     cause = error;
                     step *= 0.25;
                     // next to a branch point no equilibrium is certain, beyond it there is one
@@ -412,7 +423,8 @@ impl<'p> Path<'p> {
             return (1, 1e-2);
         }
         let stride = self.options.stride;
-        let most = MOST_GROWTH / stride * -labels[1];
+        let most =
+            self.refused.map_or(MOST_GROWTH, |refused| MOST_GROWTH.min(OF_REFUSED * refused)) / stride * -labels[1];
         let tolerance = 0.7 * self.step_tolerance();
         let mut best = (labels.len().min(2), 0.5 / stride * -labels[1], f64::INFINITY);
         for count in 1..labels.len() {

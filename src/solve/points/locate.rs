@@ -162,14 +162,14 @@ pub fn locate(
     let furthest = |segment: &PathSegment, turned| segment.extreme(turn.pick(), rising, (from, to)).unwrap_or(turned);
     let mut guess = segment.observable(turn.pick(), 0.5 * (from + to)).turning_point(from, to);
     // next to a corner no bracket is worth more than another
-    let bisections = if problem.system.has_history() { 0 } else { MOST_BISECTIONS };
+    let bisections = if problem.system.step_dependence().exists() { 0 } else { MOST_BISECTIONS };
     for k in 1..=MOST_GUESSES + bisections {
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
         let solution = match step_to(problem, &mut segment, nearer, guess, ROUGH, ws) {
             Ok(solution) => solution,
             // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
-            Err(cause) if problem.system.has_history() => {
-                let close = || problem.system.has_close_points().then(|| segment.first());
+            Err(cause) if problem.system.step_dependence().exists() => {
+                let close = || problem.system.step_dependence().is_yielding().then(|| segment.first());
                 let known = segment.extreme(turn.pick(), rising, (from, to)).or_else(close).ok_or(cause)?;
                 let spanned = spanned_at_corner(&segment, turn, &known, [low, high]);
                 return Ok(beside(problem, &segment, known, spanned, iterations, ws));
@@ -214,7 +214,7 @@ pub fn locate(
         guess = if bisects { 0.5 * (low.0 + high.0) } else { chord };
     }
     let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)?;
-    if problem.system.has_history() {
+    if problem.system.step_dependence().exists() {
         let spanned = spanned_at_corner(&segment, turn, &middle, [low, high]);
         return Ok(beside(problem, &segment, middle, spanned, iterations, ws));
     }

@@ -122,5 +122,5 @@ pub(in crate::study) fn bound_floor(located: &Located, relative: f64) -> f64 {
 
 /// Whether limit points of this kind are wanted as well as was asked.
 pub(in crate::study) fn counts(problem: &Problem, kind: LimitPointKind) -> bool {
-    !problem.system.has_history() || kind == LimitPointKind::Load
+    !problem.system.step_dependence().exists() || kind == LimitPointKind::Load
 }

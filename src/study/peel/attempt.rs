@@ -75,7 +75,7 @@ impl Attempt {
         resolution: Resolution,
         accuracy: &Accuracy,
     ) -> Self {
-        if problem.system.has_history() {
+        if problem.system.step_dependence().exists() {
             followed.leave_out_unresolved();
         }
         let Resolution { elements, step_tolerance, order, .. } = resolution;
@@ -107,7 +107,7 @@ impl Attempt {
         peel.asked = relative;
         peel.choice = accuracy.choice;
         peel.effort = Effort { points: peel.points.len(), newton_iterations: 0, elements, order, pace: followed.pace };
-        let (cut, beyond, remembers) = (followed.cut, followed.beyond, problem.system.has_history());
+        let (cut, beyond, remembers) = (followed.cut, followed.beyond, problem.system.step_dependence().exists());
         let first = |place: f64| followed.turns.iter().find(|turn| turn.2.observables.displacement == place);
         let peak = peel.initiation_peak.and_then(|peak| first(peak.displacement)).map(|turn| turn.2.solution.clone());
         let limit_points = followed.turns.iter().map(|turn| turn.2.solution.clone()).collect();

@@ -253,7 +253,7 @@ impl Peel {
     pub(super) fn find_detachment(&mut self, problem: &BeamProblem, followed: &Followed) {
         let is_off = matches!(self.end, PathEnd::Detached | PathEnd::Bound(Bound::Until(FollowedUntil::Detachment)));
         let comes_off = is_off || self.end == PathEnd::Pivoting;
-        if !comes_off || followed.trouble.is_some() || problem.system.has_history() {
+        if !comes_off || followed.trouble.is_some() || problem.system.step_dependence().exists() {
             return;
         }
         let near = self.model.line_law().adhering_distance();

@@ -139,7 +139,7 @@ pub(super) fn on_meshes(
         best.confirm(&wholes);
         best.widen(&wholes);
     }
-    if problem.system.has_history() && accuracy.choice.step.is_none() && !unfinished {
+    if problem.system.step_dependence().exists() && accuracy.choice.step.is_none() && !unfinished {
         best = best.map(|best| {
             let shorter = Shorter { model, problem: &problem, accuracy, limits, far, budget };
             let (confirmed, further) = shorter.confirmed(best, &mut wholes);
@@ -297,7 +297,7 @@ impl Shorter<'_> {
             iterations += followed.iterations;
             followed.leave_out_unresolved();
             // steps that are close by their length alone may turn on a level force wherever they are
-            let least = if self.problem.system.has_close_points() { relative } else { 0.0 };
+            let least = if self.problem.system.step_dependence().is_yielding() { relative } else { 0.0 };
             let common = Common::of(&best.peel, &followed, least);
             let others = common.of_longer(&best.peel.limit_points);
             let whole = followed.trouble.is_none() && !followed.cut;
@@ -311,7 +311,7 @@ impl Shorter<'_> {
             }
             let mut next = Attempt::new(self.model, self.problem, followed, resolution, self.accuracy);
             let change = next.allow_for(&others, self.problem);
-            if self.problem.system.has_close_points() {
+            if self.problem.system.step_dependence().is_yielding() {
                 next.peel.bound_plateau_by(&best.peel);
             }
             next.confirm_steps(wholes);

@@ -60,11 +60,12 @@ pub(super) struct Common {
 }
 
 /// Which of these limit points are left once neighbouring load limit points between which the force changes by less than `ripple` of itself are left
-/// out, the weakest pair first; and the weakest change that is left. The first limit point stays: it is the initiation peak.
-fn without_ripple(marks: &[Mark], ripple: f64) -> (Vec<usize>, f64) {
+/// out, the weakest pair first; and the weakest change that is left. The first `stay`: the initiation peak does, but a film that yields may come to its
+/// steady force from below.
+fn without_ripple(marks: &[Mark], ripple: f64, stay: usize) -> (Vec<usize>, f64) {
     let mut kept: Vec<usize> = (0..marks.len()).collect();
     loop {
-        let pairs = (1..kept.len().saturating_sub(1)).map(|at| {
+        let pairs = (stay..kept.len().saturating_sub(1)).map(|at| {
             let [one, two] = [marks[kept[at]], marks[kept[at + 1]]];
             let loads = [one, two].iter().all(|mark| mark.kind == LimitPointKind::Load);
             (at, if loads { ((two.force - one.force) / one.force).abs() } else { f64::INFINITY })
@@ -78,9 +79,9 @@ fn without_ripple(marks: &[Mark], ripple: f64) -> (Vec<usize>, f64) {
 
 /// What two lists of limit points have in common, with as little left out of them as can be beyond what changes the force by less than the share `least`.
 fn common(lists: [&[Mark]; 2], least: f64) -> Common {
-    let mut ripple = least;
+    let (mut ripple, stay) = (least, usize::from(least == 0.0));
     loop {
-        let [one, other] = lists.map(|marks| without_ripple(marks, ripple));
+        let [one, other] = lists.map(|marks| without_ripple(marks, ripple, stay));
         let pairs = one.0.iter().zip(&other.0);
         let same = pairs.take_while(|(a, b)| lists[0][**a].is(&lists[1][**b])).count();
         let agree = same == one.0.len() && same == other.0.len();
@@ -210,7 +211,7 @@ impl StepCurve {
     /// The step behind `points[index]`; by what the path has by itself where its points are as close as its curvature asks for.
     pub(crate) fn behind(problem: &Problem, points: &[Arc<Solution>], index: usize, ws: &mut Workspace) -> Self {
         let segment = PathSegment::around(problem, points, index);
-        if problem.system.has_close_points() {
+        if problem.system.step_dependence().is_yielding() {
             return Self::interpolated(&segment, segment.end(), &points[index + 1]);
         }
         Self::until(problem, &segment, segment.end(), &points[index + 1], ws)

@@ -6,7 +6,6 @@ use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState, StepEnd};
 use crate::beam::varying::Profile;
 use crate::number::Real;
-use crate::solve::state::MEMORIES;
 
 /// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
 /// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`crate::beam::ReissnerBeam`].
@@ -88,20 +87,14 @@ impl EnergyDensity<3> for BeamOnGround {
     }
 
     /// Place, mobilisation and limit of the face: `FrictionState`.
-    fn remembered(
-        &self,
-        &StepEnd { place, value, .. }: &StepEnd<3>,
-        before: [f64; MEMORIES],
-    ) -> ([f64; MEMORIES], f64) {
-        let Some(friction) = &self.friction else { return (before, 0.0) };
-        let [from, mobilisation, limit, ..] = before;
-        let known = FrictionState { place: from, mobilisation, limit };
+    fn remember(&self, &StepEnd { place, value, .. }: &StepEnd<3>, known: &mut [f64]) -> f64 {
+        let Some(friction) = &self.friction else { return 0.0 };
+        let before = FrictionState { place: known[0], mobilisation: known[1], limit: known[2] };
         let station = self.profile.at(place);
         let ([x, gap], _) = self.face(station.height, value);
-        let (slip, dissipated) = friction.remembered(x, gap, known);
-        let mut row = before;
-        row[..3].copy_from_slice(&[slip.place, slip.mobilisation, slip.limit]);
-        (row, station.width * dissipated)
+        let (slip, dissipated) = friction.remembered(x, gap, before);
+        known.copy_from_slice(&[slip.place, slip.mobilisation, slip.limit]);
+        station.width * dissipated
     }
 
     fn is_symmetric(&self) -> bool {

@@ -10,7 +10,6 @@ use crate::beam::element::energy_density::{
 use crate::beam::material::yielding::{BendingLaw, BendingMemory};
 use crate::beam::varying::Profile;
 use crate::number::Real;
-use crate::solve::state::MEMORIES;
 
 /// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
 /// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
@@ -41,20 +40,20 @@ impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
         self.sheared.response_after(height, [x - place, gap], [sin, cos], Farthest { distance, slip })
     }
 
-    /// What the face of a film remembers, with the energy: see [`EnergyDensity::remembered`].
-    fn remembered_face(&self, place: f64, value: [f64; 3], before: [f64; FACE]) -> ([f64; FACE], f64) {
-        let [known_distance, known_slip, distance, slip] = before;
+    /// Turns what its face remembered into what it does, with the energy: see [`EnergyDensity::remember`].
+    fn remember_face(&self, place: f64, value: [f64; 3], known: &mut [f64; FACE]) -> f64 {
+        let [known_distance, known_slip, distance, slip] = *known;
         let station = self.profile.at(place);
         let [x, gap, rotation] = value;
         let farthest = self.sheared.farthest(station.height, [x - place, gap], rotation, Farthest { distance, slip });
-        let now = [known_distance, known_slip, farthest.distance, farthest.slip];
+        *known = [known_distance, known_slip, farthest.distance, farthest.slip];
         // what is as far as ever has its law, and so has what goes by as far as it has been
         let is_out = farthest.distance > distance && (farthest.slip > slip || self.sheared.is_sliding());
         if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
-            return (now, 0.0);
+            return 0.0;
         }
         let energy = |farthest: [f64; 2]| self.adhesion(place, value, station.height, farthest).energy;
-        (now, station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip])))
+        station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip]))
     }
 }
 
@@ -117,25 +116,14 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
 
     /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
     /// it goes wins as if the face had healed since. Behind it: [`BendingMemory`].
-    fn remembered(
-        &self,
-        &StepEnd { place, value, slope, before: step_before }: &StepEnd<3>,
-        before: [f64; MEMORIES],
-    ) -> ([f64; MEMORIES], f64) {
-        let station = self.profile.at(place);
-        let (mut row, mut energy) = (before, 0.0);
-        if !self.heals {
-            let [a, b, c, d, ..] = before;
-            let (face, healed) = self.remembered_face(place, value, [a, b, c, d]);
-            row[..FACE].copy_from_slice(&face);
-            energy = healed;
-        }
+    fn remember(&self, &StepEnd { place, value, slope, before }: &StepEnd<3>, known: &mut [f64]) -> f64 {
+        let Some((face, bending)) = known.split_first_chunk_mut::<FACE>() else { return 0.0 };
         if let Some(law) = &self.yielding {
-            let mut known = BendingMemory::read(&before[FACE..]);
-            law.advance(&mut known, slope[2] - station.curvature, step_before);
-            known.write(&mut row[FACE..]);
+            let mut known = BendingMemory::read(bending);
+            law.advance(&mut known, slope[2] - self.profile.at(place).curvature, before);
+            known.write(bending);
         }
-        (row, energy)
+        if self.heals { 0.0 } else { self.remember_face(place, value, face) }
     }
 
     fn is_symmetric(&self) -> bool {

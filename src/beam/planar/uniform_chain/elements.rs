@@ -9,7 +9,7 @@ use crate::number::F64x4;
 use crate::solve::error::SolveError;
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{AnyNumber, BUNDLE, MOST_NODES, Nodes, slot};
-use crate::solve::state::History;
+use crate::solve::state::{History, Places};
 use crate::solve::system::NodalTerms;
 use std::ops::Range;
 
@@ -144,6 +144,11 @@ impl<const F: usize> UniformChain<F> {
     /// What the material remembers at Gauss point `q` of element `e`.
     fn memory(&self, at: Configuration, e: usize, q: usize) -> [f64; MEMORY] {
         let Some(known) = at.strains else {
+            if let Some(history) = at.history
+                && let Places::Gauss(_) = history.places
+            {
+                return history.of(e * self.basis.order + q);
+            }
             let place = at.ends[e] + 0.5 * (1.0 + self.basis.points[q]) * (at.ends[e + 1] - at.ends[e]);
             return memory_of(at.history, place);
         };

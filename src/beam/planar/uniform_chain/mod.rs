@@ -136,6 +136,15 @@ impl<const F: usize> Chain for UniformChain<F> {
         self.sample_at(at, element, local)
     }
 
+    fn gauss_points(&self, ends: &[f64]) -> Vec<[f64; 2]> {
+        let of_element = |pair: &[f64]| {
+            let (from, half) = (pair[0], 0.5 * (pair[1] - pair[0]));
+            let at = move |q: usize| [from + half * (1.0 + self.basis.points[q]), half * self.basis.weights[q]];
+            (0..self.basis.order).map(at)
+        };
+        ends.windows(2).flat_map(of_element).collect()
+    }
+
     fn updated_history(&self, at: Configuration, before: f64) -> Option<(History, f64)> {
         self.updated(at, before)
     }

@@ -186,7 +186,7 @@ impl<const F: usize> UniformChain<F> {
             let per_length = 2.0 / (at.ends[e + 1] - at.ends[e]);
             let value = combine(self.nodes(), &values, &shape);
             let slope = combine(self.nodes(), &values, &shape_slope.map(|slope| slope * per_length));
-            self.density.remembered(&StepEnd { place: s, value, slope, before }, row)
+            self.density.remember(&StepEnd { place: s, value, slope, before }, row)
         }))
     }
 

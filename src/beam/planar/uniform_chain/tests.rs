@@ -288,9 +288,7 @@ fn a_beam() {
                 state.extend([s + 1e-4 * numbers.next(), 0.255 + 1e-5 * s * s, 2e-5 * s]);
             }
             // it has stuck where it lay
-            let history = rubs.then(|| {
-                History::new(30.0, 1.0, |s| std::array::from_fn(|k| [s, 0.0, 0.05].get(k).copied().unwrap_or(0.0)))
-            });
+            let history = rubs.then(|| History::even(30.0, 1.0, |s| [s, 0.0, 0.05]));
             agrees::<3, false>(&chain, &Place { ends, state, damping: vec![], history }, &mut numbers);
         }
     }

@@ -42,8 +42,11 @@ pub(in crate::study::peel) fn name_special_points(peel: &mut Peel, problem: &Bea
     let last = followed.points.len().saturating_sub(2);
     let snap = peel.snap_off.map_or(last, |at| at.after);
     // the force of a film that yields falls to a minimum before it has been bent by its front; it is steady behind that
-    let first =
-        if problem.system.has_close_points() { located.iter().rfind(|at| is_minimum(followed, at)) } else { None };
+    let first = if problem.system.step_dependence().is_yielding() {
+        located.iter().rfind(|at| is_minimum(followed, at))
+    } else {
+        None
+    };
     let before_jump = first_maximum.as_ref().map(|maximum| first.unwrap_or(maximum).after + 1..snap);
     peel.plateau = steady_force(problem, followed, before_jump, known.min(last), peel.asked);
 }
@@ -284,7 +287,7 @@ fn bounds(
     relative: f64,
     ws: &mut Workspace,
 ) -> Option<(f64, f64)> {
-    if problem.system.has_history() {
+    if problem.system.step_dependence().exists() {
         return None;
     }
     let mut wrong = (ROUND_OFF + least(relative)) * best.force;

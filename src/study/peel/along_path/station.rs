@@ -106,7 +106,7 @@ impl Peel {
         let bounds = Bounds {
             asked: self.asked,
             share: aim(&self.model, &Accuracy::to(self.asked)).1.unwrap_or(least(self.asked)),
-            are_known: !problem.system.has_history() && !dropped,
+            are_known: !problem.system.step_dependence().exists() && !dropped,
         };
         events.range = locator.sought.range;
         let mut ws = Workspace::default().at(self.effort.pace);

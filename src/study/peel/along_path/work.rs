@@ -45,7 +45,7 @@ pub(in crate::study::peel) struct WorkErrors<'p> {
 impl<'p> WorkErrors<'p> {
     /// Of a path that begins at a point.
     pub(crate) fn new(problem: &'p BeamProblem, first: &Solution, relative: f64, ws: &mut Workspace) -> Self {
-        let known = problem.system.is_conservative() && !problem.system.has_history();
+        let known = problem.system.is_conservative() && !problem.system.step_dependence().exists();
         let start = known.then(|| change_of_energy(problem, first, Observables::DISPLACEMENT, ws)).flatten();
         Self { problem, start, first: energy(problem, first), relative }
     }
@@ -148,7 +148,7 @@ impl Peel {
     pub fn closing(&self) -> Option<f64> {
         let trace = self.trace.as_ref().filter(|_| !self.model.adhesion.healing)?;
         let goes_by_it =
-            |at: &Solution| at.at.history.as_ref().is_some_and(|known| known.rows.iter().any(|row| row[0] > 0.0));
+            |at: &Solution| at.at.history.as_ref().is_some_and(|known| known.points().any(|(_, _, row)| row[0] > 0.0));
         let first = trace.points.iter().position(|at| goes_by_it(at))?;
         Some(trace.points[first.saturating_sub(1)].observables.displacement)
     }

@@ -81,10 +81,6 @@ fn bending_of(trace: &SolutionHistory, at: &Solution) -> Option<Bending> {
 impl Bending {
     /// Length of each, nm, with what it remembers.
     fn memories(&self) -> impl Iterator<Item = (f64, BendingMemory)> + '_ {
-        let last = self.0.rows.len() - 1;
-        self.0.rows.iter().enumerate().map(move |(k, row)| {
-            let share = if k == 0 || k == last { 0.5 } else { 1.0 };
-            (share * self.0.spacing, BendingMemory::read(&row[FACE..]))
-        })
+        self.0.points().map(|(_, length, row)| (length, BendingMemory::read(&row[FACE..])))
     }
 }

@@ -73,7 +73,7 @@ pub(in crate::study::peel) fn follow(
     };
     let stopped = match stopped {
         // behind its first jump the path of a film that yields is not what the film does
-        Err(PathFailure::Path(_)) if problem.system.has_close_points() && has_jumped(path.points()) => {
+        Err(PathFailure::Path(_)) if problem.system.step_dependence().is_yielding() && has_jumped(path.points()) => {
             Ok(PathEnd::Snapped)
         }
         stopped => stopped,
@@ -142,7 +142,7 @@ pub(in crate::study::peel) fn follow(
         }
         (trouble, missing) => trouble.or(missing),
     };
-    if problem.system.has_close_points() {
+    if problem.system.step_dependence().is_yielding() {
         followed.end_at_jump();
     }
     followed.end_at_unresolved(problem);

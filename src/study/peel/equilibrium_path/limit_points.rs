@@ -240,7 +240,7 @@ impl Followed {
     /// here. Not so at a corner of a path that remembers, where much that slid sticks. A limit point is known to `relative` of its displacement at
     /// best: points that are nearer to it may be counted as before it or behind it.
     pub(super) fn check_inertia(&mut self, problem: &BeamProblem, relative: f64) -> Result<(), PathFailure> {
-        if problem.system.has_history() {
+        if problem.system.step_dependence().exists() {
             return Ok(());
         }
         let (mut ws, conservative) = (self.workspace(), problem.system.is_conservative());

@@ -69,7 +69,7 @@ pub(super) fn step(
     if slides(problem, path) {
         return Ok(Some(PathEnd::Sliding));
     }
-    let sticks = problem.system.has_history() && !problem.system.has_close_points();
+    let sticks = problem.system.step_dependence().exists() && !problem.system.step_dependence().is_yielding();
     if sticks && newest.slope.displacement < 0.0 {
         return Ok(Some(PathEnd::Snapped));
     }
