@@ -167,14 +167,11 @@ pub fn locate(
         let nearer = if guess - low.0 < high.0 - guess { low.0 } else { high.0 };
         let solution = match step_to(problem, &mut segment, nearer, guess, ROUGH, ws) {
             Ok(solution) => solution,
-            // next to a corner of the path Newton's method may go to and fro: the turn is no farther than the bracket is wide
-            Err(cause) if problem.system.step_dependence().exists() => {
-                let close = || problem.system.step_dependence().is_yielding().then(|| segment.first());
-                let known = segment.extreme(turn.pick(), rising, (from, to)).or_else(close).ok_or(cause)?;
+            Err(cause) => {
+                let known = known_at_corner(problem, &segment, turn, rising, (from, to)).ok_or(cause)?;
                 let spanned = spanned_at_corner(&segment, turn, &known, [low, high]);
                 return Ok(beside(problem, &segment, known, spanned, iterations, ws));
             }
-            Err(cause) => return Err(cause),
         };
         iterations += solution.iterations;
         let label = segment.label(&solution.observables);
@@ -213,7 +210,8 @@ pub fn locate(
         let bisects = k % 3 == 0 || k > MOST_GUESSES || !chord.is_finite();
         guess = if bisects { 0.5 * (low.0 + high.0) } else { chord };
     }
-    let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)?;
+    let middle = solve_on(problem, &segment, 0.5 * (low.0 + high.0), ROUGH, ws)
+        .or_else(|cause| known_at_corner(problem, &segment, turn, rising, (from, to)).ok_or(cause))?;
     if problem.system.step_dependence().exists() {
         let spanned = spanned_at_corner(&segment, turn, &middle, [low, high]);
         return Ok(beside(problem, &segment, middle, spanned, iterations, ws));
@@ -235,6 +233,19 @@ pub fn locate(
         }
     }
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
+}
+
+/// Of a path that remembers what is known next to a corner, where Newton's method may go to and fro: the turn is no farther than the bracket is wide.
+fn known_at_corner(
+    problem: &Problem,
+    segment: &PathSegment,
+    turn: LimitPointKind,
+    rising: bool,
+    bracket: (f64, f64),
+) -> Option<Arc<Solution>> {
+    let dependence = problem.system.step_dependence();
+    let close = || dependence.is_yielding().then(|| segment.first());
+    segment.extreme(turn.pick(), rising, bracket).or_else(close).filter(|_| dependence.exists())
 }
 
 /// By how much displacement and force may change over a bracket around a solution, each of whose ends has the slope there of what turns,
@@ -305,11 +316,20 @@ pub(crate) fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Works
     let end = segment.end();
     let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
     let solution = step_to(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
-    let mut difference = difference_on_more_elements(problem, &solution, ws)?;
+    let mut difference = difference_within_step(problem, &solution, ws)?;
     difference.displacement = segment.change().displacement.abs();
     difference.force = difference.force.abs() + segment.change().force.abs();
     let observables = solution.observables;
     Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, left_out: 0.0, iterations: 3 })
+}
+
+/// [`difference_on_more_elements`] where the whole step counts as the error. Of a path that remembers nothing more where there is no solution on these:
+/// there turns of what is remembered lie between points.
+fn difference_within_step(problem: &Problem, coarse: &Solution, ws: &mut Workspace) -> Result<Observables, SolveError> {
+    match difference_on_more_elements(problem, coarse, ws) {
+        Err(_) if problem.system.step_dependence().exists() => Ok(Observables::default()),
+        difference => difference,
+    }
 }
 
 /// A limit point of the force in a segment so flat that its place cannot be determined and does not matter: a solution in it, with the whole step as the error of its displacement and `change` as that of its force.
@@ -321,7 +341,7 @@ fn flat(
     iterations: usize,
     ws: &mut Workspace,
 ) -> Result<Located, SolveError> {
-    let mut difference = difference_on_more_elements(problem, &solution, ws)?;
+    let mut difference = difference_within_step(problem, &solution, ws)?;
     difference.displacement = segment.change().displacement.abs();
     difference.force = difference.force.abs() + change.abs();
     Ok(Located {
