@@ -213,6 +213,11 @@ pub trait EnergyDensity<const F: usize>: Send + Sync {
         0.0
     }
 
+    /// Whether its face does not heal: what its law goes by is then remembered.
+    fn remembers_face(&self) -> bool {
+        false
+    }
+
     /// Whether its film yields, so that its curvature does not follow from its moment alone.
     fn yields(&self) -> bool {
         false

@@ -83,6 +83,8 @@ pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
     fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64;
     /// [`EnergyDensity::remember`]
     fn remember(&self, end: &StepEnd<F>, known: &mut [f64]) -> f64;
+    /// [`EnergyDensity::remembers_face`]
+    fn remembers_face(&self) -> bool;
     /// [`EnergyDensity::yields`]
     fn yields(&self) -> bool;
     /// [`EnergyDensity::section_state`]
@@ -162,6 +164,10 @@ impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
 
     fn remember(&self, end: &StepEnd<F>, known: &mut [f64]) -> f64 {
         EnergyDensity::remember(self, end, known)
+    }
+
+    fn remembers_face(&self) -> bool {
+        EnergyDensity::remembers_face(self)
     }
 
     fn yields(&self) -> bool {

@@ -45,7 +45,7 @@ pub struct Integration<'a, N: Nodes, const F: usize> {
     pub coupling: Coupling<F>,
     /// Whether its second derivatives are symmetric.
     pub symmetric: bool,
-    /// What its material points remember from step to step.
+    /// What its material points remember of the face from step to step.
     pub history: Option<&'a History>,
     /// Whether elements are cut where the pieces of a law join. Cuts come and go as a state moves, and what comes to rest by gradient flow then creeps.
     pub in_pieces: bool,

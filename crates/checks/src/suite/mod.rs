@@ -26,6 +26,7 @@ pub const TOPICS: &[Topic] = &[
     spatula::TOPIC,
     strip::pull::TOPIC,
     strip::laws::TOPIC,
+    strip::films::TOPIC,
     strip::turns::FRICTION,
     strip::out_of_plane::TOPIC,
     space::strips::TOPIC,

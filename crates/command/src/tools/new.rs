@@ -59,6 +59,7 @@ const TEMPLATES: &[Template] = templates![
     "strip-sideways" "a strip in space, pulled sideways",
     "strip-rolled" "a strip in space whose grip is rolled before the pull",
     "tape" "an adhesive tape of some millimetres, under a cohesive law",
+    "foil" "a foil of aluminium that yields as it is bent at the front",
     "rubber" "a soft film of rubber under a cohesive law",
     "laminate" "a flexible circuit of three layers, as one beam",
     "double-cantilever" "an arm of a double cantilever beam (DCB) with an initial crack",

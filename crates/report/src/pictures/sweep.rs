@@ -77,7 +77,9 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     let mut work = series(rows, work_per_width, Stroke::solid(colour::GREEN, 2.0), "");
     work.iter_mut().for_each(|line| line.name = None);
     let mut panels = vec![dotted(forces)];
-    if !work.is_empty() {
+    // one value of many that has a jump is no line
+    let with_work = rows.iter().filter(|row| work_per_width(row).is_some()).count();
+    if with_work > 1 || with_work == rows.len() {
         panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, labels.1, work)));
     }
     let height = panels.last().map_or(0.0, |p| p.frame.bottom) + 54.0;

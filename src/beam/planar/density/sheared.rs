@@ -164,6 +164,10 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         SectionState { moment, stored: elastic.stored - released(elastic.moment) + released(moment), ..elastic }
     }
 
+    fn remembers_face(&self) -> bool {
+        !self.heals
+    }
+
     fn yields(&self) -> bool {
         self.yielding.is_some()
     }

@@ -73,7 +73,7 @@ impl<const F: usize> UniformChain<F> {
             density,
             coupling,
             symmetric: self.symmetric,
-            history,
+            history: history.filter(|_| density.remembers_face()),
             in_pieces: true,
         }
     }

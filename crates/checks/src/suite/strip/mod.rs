@@ -2,6 +2,7 @@
 //! thing: the law of adhesion, friction, the direction of the pull, or that they may leave their plane.
 
 mod case;
+pub(super) mod films;
 pub(super) mod laws;
 pub(super) mod out_of_plane;
 mod peaks;
