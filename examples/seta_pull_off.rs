@@ -151,7 +151,7 @@ fn print_law(model: &SetaModel, options: &SetaOptions) -> Result<(), Box<dyn Err
         println!(
             "degree {degree}: plane at {:.3} nm, {:.3} degrees; stiffness {:.4} and {:.4} N/m",
             exit.distance,
-            exit.direction[1].atan2(exit.direction[0]).to_degrees(),
+            exit.angle().to_degrees(),
             mean - half,
             mean + half
         );

@@ -174,9 +174,8 @@ impl RootLaw {
         let (mut out, mut from) = (Lifted::default(), 0.0);
         for number in 0..self.sheets() {
             let RootSheet { potential, exit, .. } = self.sheet(number, 1.0)?;
-            let nearer = exit.direction[1];
-            let to = exit.distance / nearer;
-            if nearer <= 0.0 || number == 0 && to <= 0.0 {
+            let to = exit.ahead([0.0; 2], [0.0, 1.0])?;
+            if number == 0 && to <= 0.0 {
                 return None;
             }
             if to > from {

@@ -194,12 +194,11 @@ fn sheets(law: &SetaLaw) -> String {
 pub fn seta_law(title: &str, found: &SetaLawFound) -> String {
     let (law, [soft, stiff]) = (&found.law, found.stiffness());
     let exit = law.first_exit();
-    let [along, off] = exit.direction;
     let percent = |share: f64| format!("{:.2} %", 100.0 * share);
     let errors = law.errors;
     let mut lines = vec![
         ("law of a seta", sheets(law)),
-        ("first exit", format!("{:.4} nm along {:.3} deg to the ground", exit.distance, off.atan2(along).to_degrees())),
+        ("first exit", format!("{:.4} nm along {:.3} deg to the ground", exit.distance, exit.angle().to_degrees())),
         ("stiffness", format!("{soft:.5} and {stiff:.5} N/m, across and along the stiff direction")),
         ("largest force", format!("{:.4} nN before the first loss", law.largest_force)),
         ("peak", format!("within {}, {} on a path left out", percent(errors.peak), percent(errors.peak_left_out))),

@@ -32,6 +32,11 @@ pub struct ExitPlane {
 }
 
 impl ExitPlane {
+    /// Of d to the ground, rad.
+    pub fn angle(&self) -> f64 {
+        self.direction[1].atan2(self.direction[0])
+    }
+
     /// u·d/c: one on the plane.
     pub fn share(&self, root: [f64; 2]) -> f64 {
         dot(root, self.direction) / self.distance

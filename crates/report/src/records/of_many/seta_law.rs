@@ -6,7 +6,7 @@ use crate::writing::file::write_whole;
 use crate::writing::record::write_table;
 use crate::writing::record::{Fields, Record};
 use crate::writing::reference::Output;
-use peelkit::study::coarsening::{ExitPlane, LawSheet, RootPath, RootPoint, SetaLaw, SetaLawErrors, SetaLawOptions};
+use peelkit::study::coarsening::{LawSheet, RootPath, RootPoint, SetaLaw, SetaLawErrors, SetaLawOptions};
 use peelkit_scene::{CHECK, KEYS, SETA_LAW, Scene, seta_lines};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -133,7 +133,7 @@ impl Record for SetaLawFound {
         of.field("degree", "of the potential of the first sheet; those behind it have degree 2", |found| found.law.degree);
         of.field("sheets", "in the order in which they are left", |found| found.law.sheets.iter().map(Sheet).collect::<Vec<_>>());
         of.field("exit_nm", "c of the first sheet: the first tip lets go where u d_x + v d_y = c", |found| found.law.first_exit().distance);
-        of.field("exit_deg", "angle of its d to the ground", |found| angle(&found.law.first_exit()));
+        of.field("exit_deg", "angle of its d to the ground", |found| found.law.first_exit().angle().to_degrees());
         of.field("soft_nN_per_nm", "smaller eigenvalue of the stiffness where the root has not moved", |found| found.stiffness()[0]);
         of.field("stiff_nN_per_nm", "larger eigenvalue", |found| found.stiffness()[1]);
         of.field("largest_force_nN", "of all paths before the first loss of a tip: what errors of forces are measured by", |found| found.law.largest_force);
@@ -155,13 +155,8 @@ impl Record for Sheet<'_> {
     fn fields(of: &mut Fields<Self>) {
         of.field("tips", "most tips that adhere on it; the fewest are one more than the most on the next one", |sheet| sheet.0.tips);
         of.field("exit_nm", "c: it is left where u d_x + v d_y = c", |sheet| sheet.0.exit.distance);
-        of.field("exit_deg", "angle of d to the ground", |sheet| angle(&sheet.0.exit));
+        of.field("exit_deg", "angle of d to the ground", |sheet| sheet.0.exit.angle().to_degrees());
     }
-}
-
-/// Of the normal of a plane to the ground, degrees.
-fn angle(exit: &ExitPlane) -> f64 {
-    exit.direction[1].atan2(exit.direction[0]).to_degrees()
 }
 
 impl SetaLawFound {
