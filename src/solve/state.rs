@@ -82,7 +82,7 @@ impl History {
     /// The same at the Gauss points of another mesh.
     pub fn on_gauss_points(&self, points: Vec<[f64; 2]>) -> Self {
         let numbers = points.iter().flat_map(|[s, _]| self.interpolated(*s, self.width)).collect();
-        Self { places: Places::Gauss(Arc::new(points)), numbers, ..self.clone() }
+        Self { places: Places::Gauss(Arc::new(points)), numbers, ..*self }
     }
 
     /// How many points there are.

@@ -117,10 +117,9 @@ impl EndRoll {
 }
 
 /// How a path depends on its steps, because its material points remember them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepDependence {
     /// It does not.
-    #[default]
     None,
     /// Faces slide under friction: where much that slides sticks at once the path has a corner, which whole updates of Newton's method overshoot.
     Friction,

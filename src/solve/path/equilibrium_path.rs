@@ -278,9 +278,9 @@ impl<'p> Path<'p> {
                 Err(error) => {
                     self.iterations += 3;
                     // the path of a structure that remembers has corners, across which fewer points predict better
-                    self.careful = !self.problem.system.step_dependence().exists();
-                    let yields = self.problem.system.step_dependence().is_yielding();
-                    self.refused = yields.then_some(step.abs() / newest_step);
+                    let dependence = self.problem.system.step_dependence();
+                    self.careful = !dependence.exists();
+                    self.refused = dependence.is_yielding().then_some(step.abs() / newest_step);
                     cause = error;
                     step *= 0.25;
                     // next to a branch point no equilibrium is certain, beyond it there is one

@@ -71,7 +71,6 @@ pub struct Waypoint {
     pub(super) errors: Vec<f64>,
     pub(super) iterations: usize,
     pub(super) careful: bool,
-    #[serde(default)]
     pub(super) refused: Option<f64>,
     pub(super) branch: Option<NearBranch>,
     #[serde(default)]

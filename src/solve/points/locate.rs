@@ -6,6 +6,7 @@ use crate::solve::newton::{NewtonOptions, Solution, on_more_elements, slopes, so
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
 use crate::solve::state::{Observables, PathConstraint};
+use crate::solve::system::StepDependence;
 use crate::solve::workspace::{Pace, Workspace};
 use std::sync::Arc;
 
@@ -235,7 +236,7 @@ pub fn locate(
     Err(SolveError::NotConverged { update: (high.0 - low.0) / (to - from), iterations })
 }
 
-/// Of a path that remembers what is known next to a corner, where Newton's method may go to and fro: the turn is no farther than the bracket is wide.
+/// Of a path that remembers, what is known next to a corner, where Newton's method may go to and fro: the turn is no farther than the bracket is wide.
 fn known_at_corner(
     problem: &Problem,
     segment: &PathSegment,
@@ -243,9 +244,12 @@ fn known_at_corner(
     rising: bool,
     bracket: (f64, f64),
 ) -> Option<Arc<Solution>> {
-    let dependence = problem.system.step_dependence();
-    let close = || dependence.is_yielding().then(|| segment.first());
-    segment.extreme(turn.pick(), rising, bracket).or_else(close).filter(|_| dependence.exists())
+    let extreme = || segment.extreme(turn.pick(), rising, bracket);
+    match problem.system.step_dependence() {
+        StepDependence::None => None,
+        StepDependence::Friction => extreme(),
+        StepDependence::Yielding => extreme().or_else(|| Some(segment.first())),
+    }
 }
 
 /// By how much displacement and force may change over a bracket around a solution, each of whose ends has the slope there of what turns,

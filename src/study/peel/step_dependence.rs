@@ -60,8 +60,8 @@ pub(super) struct Common {
 }
 
 /// Which of these limit points are left once neighbouring load limit points between which the force changes by less than `ripple` of itself are left
-/// out, the weakest pair first; and the weakest change that is left. The first `stay`: the initiation peak does, but a film that yields may come to its
-/// steady force from below.
+/// out, the weakest pair first; and the weakest change that is left. The first ones, `stay` of them, are kept: the initiation peak is, but a
+/// film that yields may come to its steady force from below.
 fn without_ripple(marks: &[Mark], ripple: f64, stay: usize) -> (Vec<usize>, f64) {
     let mut kept: Vec<usize> = (0..marks.len()).collect();
     loop {

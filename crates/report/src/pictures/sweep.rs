@@ -78,7 +78,7 @@ fn sweep_picture(rows: &[SweepRow], key: &str, title: &str, log: bool) -> Pictur
     work.iter_mut().for_each(|line| line.name = None);
     let mut panels = vec![dotted(forces)];
     // one value of many that has a jump is no line
-    let with_work = rows.iter().filter(|row| work_per_width(row).is_some()).count();
+    let with_work = work.iter().map(|line| line.points.len()).sum::<usize>();
     if with_work > 1 || with_work == rows.len() {
         panels.push(dotted(panel(Frame { left, top: 400.0, right, bottom: 620.0 }, &x, labels.1, work)));
     }

@@ -21,7 +21,7 @@ const LENGTH: f64 = 300.0;
 const UNTIL: f64 = 220.0;
 /// Yield strengths and tangent moduli (GPa) of those that are peeled, straight up.
 const PEELED: [[f64; 2]; 3] = [[0.08, 0.0], [0.1, 0.2], [0.04, 0.5]];
-/// What is asked of the force; the work is a difference over one process zone, and is known to some of these.
+/// What is asked of the force; the work is a difference over one process zone, and is known to a few times that.
 const ASKED: f64 = 1e-2;
 const OF_WORK: f64 = 4e-2;
 
