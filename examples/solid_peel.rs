@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         settings.element,
         settings.along,
         settings.through,
-        peel.strip.unknowns(),
+        peel.body.unknowns(),
         peel.points.len(),
         peel.iterations,
         peel.limit_points.len(),

@@ -1,17 +1,21 @@
-//! A strip as a plane solid: how it is discretised, and what of a model of beams a solid does not have.
+//! A solid: how it is discretised, and what of a model of beams a strip as a plane solid does not have.
 
+use super::body::Body;
 use super::check::error::ModelError;
 use super::peel::{Hold, PeelModel, Pull};
+use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings};
 use crate::adhesion::section::law::Attraction;
 use crate::adhesion::section::line_load::LineLoad;
 use crate::solid::basis::{MOST_SOLID_ORDER, SolidElement};
+use crate::solid::body::SolidBody;
 use crate::solid::contact::SolidContact;
 use crate::solid::grip::SolidGrip;
 use crate::solid::material::{Plane, SolidMaterial};
 use crate::solid::mesh::Grading;
 use crate::solid::strip::{SolidStrip, StripDesign};
+use std::sync::Arc;
 
-/// How a strip is computed as a solid.
+/// How a strip or a spatula is computed as a solid. Of a spatula `along` and `across` count alone: its element is H1(2), one through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidSettings {
     /// The element
@@ -22,6 +26,8 @@ pub struct SolidSettings {
     pub along: f64,
     /// Rows of elements through the thickness
     pub through: usize,
+    /// Elements across the half width of a spatula
+    pub across: usize,
     /// What holds across the plane
     pub plane: Plane,
     /// The elastic energy
@@ -42,6 +48,7 @@ impl Default for SolidSettings {
             modes: true,
             along: 2.0,
             through: 5,
+            across: SolidSpatulaSettings::default().across,
             plane: Plane::Stress,
             material: SolidMaterial::NeoHookean,
             contact: SolidContact::ReferenceTraction,
@@ -51,13 +58,16 @@ impl Default for SolidSettings {
     }
 }
 
-/// Why a strip cannot be computed as a solid. Lengths in nm.
+/// Why a body cannot be computed as a solid. Lengths in nm.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the message of each names its numbers
 pub enum SolidError {
     /// What is wrong with the model as one of a beam.
     #[error("{0}")]
     Model(#[from] ModelError),
+    /// What is wrong with a spatula.
+    #[error("{0}")]
+    Spatula(#[from] SolidSpatulaError),
     /// An element of an order that is not offered.
     #[error("`solid.element` is \"{element}\": orders are 1 to {MOST_SOLID_ORDER}")]
     Order { element: SolidElement },
@@ -97,6 +107,7 @@ impl SolidError {
     pub fn key(&self) -> &'static str {
         match self {
             Self::Model(error) => error.key(),
+            Self::Spatula(error) => error.key(),
             Self::Order { .. } => "solid.element",
             Self::NoLength { .. } | Self::LongerThanStrip { .. } | Self::TooMany { .. } => "solid.along",
             Self::NoRows => "solid.through",
@@ -110,6 +121,7 @@ impl SolidError {
     pub fn remedy(&self) -> String {
         match self {
             Self::Model(error) => error.remedy(),
+            Self::Spatula(error) => error.remedy(),
             Self::Order { .. } => "Give \"Q1C1\" to \"Q1C8\", \"Q1CH\", \"H1(2)\" or \"Q(4,4)\", say.".into(),
             Self::NoLength { .. } => "Give a number above zero, in nm.".into(),
             Self::LongerThanStrip { length, .. } => {
@@ -129,6 +141,32 @@ impl SolidError {
 }
 
 impl SolidSettings {
+    /// That a model is computed on these settings.
+    ///
+    /// # Errors
+    /// What is wrong first: with the model, with the settings, or what of the model a solid does not have.
+    pub fn check(&self, model: &PeelModel) -> Result<(), SolidError> {
+        match model.body {
+            Body::Spatula(_) => Ok(self.of_spatula().mesh(model).map(drop)?),
+            Body::Strip(_) | Body::Profile(_) => self.check_strip(model),
+        }
+    }
+
+    /// The body of a model on these settings.
+    ///
+    /// # Errors
+    /// As of [`SolidSettings::check`].
+    pub fn body(&self, model: &PeelModel) -> Result<SolidBody, SolidError> {
+        Ok(match model.body {
+            Body::Spatula(_) => SolidBody::Spatula(Arc::new(self.of_spatula().spatula(model)?)),
+            Body::Strip(_) | Body::Profile(_) => SolidBody::Strip(Arc::new(self.strip(model)?)),
+        })
+    }
+
+    fn of_spatula(&self) -> SolidSpatulaSettings {
+        SolidSpatulaSettings { across: self.across, ..SolidSpatulaSettings::every(self.along) }
+    }
+
     /// A strip on these settings.
     ///
     /// # Errors
@@ -145,8 +183,7 @@ impl SolidSettings {
     /// # Ok::<(), peelkit::model::SolidError>(())
     /// ```
     pub fn strip(&self, model: &PeelModel) -> Result<SolidStrip, SolidError> {
-        model.check()?;
-        self.check(model)?;
+        self.check_strip(model)?;
         let Some(strip) = model.strip() else { return Err(not_a_strip(model)) };
         let design = StripDesign {
             length: strip.length,
@@ -168,7 +205,8 @@ impl SolidSettings {
         Ok(SolidStrip::new(design, [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed)))
     }
 
-    fn check(&self, model: &PeelModel) -> Result<(), SolidError> {
+    fn check_strip(&self, model: &PeelModel) -> Result<(), SolidError> {
+        model.check()?;
         let length = model.length();
         if !self.element.is_offered() {
             return Err(SolidError::Order { element: self.element });

@@ -9,36 +9,36 @@ use crate::beam::varying::BeamGeometry;
 use crate::solid::spatula::solid_spatula::{SolidSpatula, SpatulaMesh};
 use std::sync::Arc;
 
-/// A part of the pad with stations of its own.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FineZone {
-    /// S where it begins, nm
-    pub from: f64,
-    /// S where it ends, nm
-    pub to: f64,
-    /// Distance of its stations, nm
-    pub along: f64,
-}
-
 /// How a spatula is cut into elements. Distances of stations along S in nm: at most these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidSpatulaSettings {
     /// On the pad
-    pub pad: f64,
+    pub along: f64,
     /// Where the axis bends, behind the pad; behind the bend twice that
     pub neck: f64,
     /// On the shaft
     pub shaft: f64,
-    /// Where the stations of the pad are closer
-    pub fine: Option<FineZone>,
     /// Elements across the half width
     pub across: usize,
 }
 
 impl Default for SolidSpatulaSettings {
-    /// Stations of 4, 6 and 150 nm, and two elements across the half width.
+    /// Stations of 2, 3 and 150 nm, and two elements across the half width.
     fn default() -> Self {
-        Self { pad: 4.0, neck: 6.0, shaft: 150.0, fine: None, across: 2 }
+        Self::every(2.0)
+    }
+}
+
+/// Distances of stations in the bend over those on the pad, and on the shaft, nm.
+const IN_BEND: f64 = 1.5;
+const ON_SHAFT: f64 = 150.0;
+/// Elements across the half width.
+const USUAL_ACROSS: usize = 2;
+
+impl SolidSpatulaSettings {
+    /// With this distance of the stations on the pad, nm.
+    pub const fn every(along: f64) -> Self {
+        Self { along, neck: IN_BEND * along, shaft: ON_SHAFT, across: USUAL_ACROSS }
     }
 }
 
@@ -50,14 +50,11 @@ pub enum SolidSpatulaError {
     #[error("{0}")]
     Model(#[from] ModelError),
     /// A distance that is none.
-    #[error("`solid.{key}` is {found} nm, which is not above zero")]
+    #[error("`{key}` is {found} nm, which is not above zero")]
     NoDistance { key: &'static str, found: f64 },
     /// Elements across that are too few or too many.
     #[error("`solid.across` is {found}: from 1 to {MOST_ACROSS} elements are offered across the half width")]
     Across { found: usize },
-    /// A zone that is none.
-    #[error("`solid.fine` reaches from {from} to {to} nm, which is no part of a pad of {pad} nm")]
-    Zone { from: f64, to: f64, pad: f64 },
     /// More stations than a computer holds.
     #[error("the stations are {stations:.1e} in number; at most {MOST_STATIONS} are computed")]
     TooMany { stations: f64 },
@@ -76,14 +73,12 @@ const GRADING: f64 = 1.5;
 
 impl SolidSpatulaError {
     /// The key of a scene that gives the value.
-    pub fn key(&self) -> String {
+    pub fn key(&self) -> &'static str {
         match self {
-            Self::Model(error) => error.key().into(),
-            Self::NoDistance { key, .. } => format!("solid.{key}"),
-            Self::Across { .. } => "solid.across".into(),
-            Self::Zone { .. } => "solid.fine".into(),
-            Self::TooMany { .. } => "solid.pad".into(),
-            Self::NotOfSolid { key, .. } => (*key).into(),
+            Self::Model(error) => error.key(),
+            Self::NoDistance { key, .. } | Self::NotOfSolid { key, .. } => key,
+            Self::Across { .. } => "solid.across",
+            Self::TooMany { .. } => "solid.along",
         }
     }
 
@@ -93,7 +88,6 @@ impl SolidSpatulaError {
             Self::Model(error) => error.remedy(),
             Self::NoDistance { .. } => "Give a number above zero, in nm.".into(),
             Self::Across { .. } => "Give 2, or 4 for a second opinion.".into(),
-            Self::Zone { pad, .. } => format!("Give two places in ascending order between 0 and {pad} nm."),
             Self::TooMany { .. } => "Give stations that are farther apart.".into(),
             Self::NotOfSolid { .. } => "Remove it, or compute the spatula as a beam.".into(),
         }
@@ -113,37 +107,37 @@ impl SolidSpatulaSettings {
     /// model.grip.rotation = Hold::Fixed;
     /// model.adhesion.far_face = false;
     /// let spatula = SolidSpatulaSettings::default().spatula(&model)?;
-    /// assert_eq!((spatula.elements(), spatula.unknowns()), (164, 6931));
+    /// assert_eq!((spatula.elements(), spatula.unknowns()), (348, 14659));
     /// let error = SolidSpatulaSettings { across: 0, ..Default::default() }.spatula(&model).unwrap_err();
     /// assert_eq!(error.key(), "solid.across");
     /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
     /// ```
     pub fn spatula(&self, model: &PeelModel) -> Result<SolidSpatula, SolidSpatulaError> {
-        model.check()?;
-        what_it_has(model)?;
-        let Body::Spatula(body) = &model.body else { return Err(not_of_solid("body", "is a spatula")) };
-        self.check(body.pad_length)?;
-        let adhering = body.pad_length + body.neck_length;
-        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering };
+        let (body, mesh) = self.mesh(model)?;
         let material = (body.material.youngs_modulus, body.material.poissons_ratio);
         Ok(SolidSpatula::new(Arc::new(body.clone()), material, model.adhesion.half_space(), mesh))
     }
 
-    fn check(&self, pad: f64) -> Result<(), SolidSpatulaError> {
-        let zone = self.fine.map_or(self.pad, |zone| zone.along);
-        let distances = [("pad", self.pad), ("neck", self.neck), ("shaft", self.shaft), ("fine", zone)];
+    /// The outline of a model and its mesh.
+    pub(super) fn mesh<'m>(&self, model: &'m PeelModel) -> Result<(&'m Spatula, SpatulaMesh), SolidSpatulaError> {
+        model.check()?;
+        what_it_has(model)?;
+        let Body::Spatula(body) = &model.body else { return Err(not_of_solid("body", "is a spatula")) };
+        self.check()?;
+        let adhering = body.pad_length + body.neck_length;
+        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering };
+        Ok((body, mesh))
+    }
+
+    fn check(&self) -> Result<(), SolidSpatulaError> {
+        let distances = [("solid.along", self.along), ("solid.neck", self.neck), ("solid.shaft", self.shaft)];
         if let Some((key, found)) = distances.into_iter().find(|(_, found)| !(found.is_finite() && *found > 0.0)) {
             return Err(SolidSpatulaError::NoDistance { key, found });
         }
         if !(1..=MOST_ACROSS).contains(&self.across) {
             return Err(SolidSpatulaError::Across { found: self.across });
         }
-        match self.fine {
-            Some(FineZone { from, to, .. }) if !(0.0 <= from && from < to && to <= pad) => {
-                Err(SolidSpatulaError::Zone { from, to, pad })
-            }
-            _ => Ok(()),
-        }
+        Ok(())
     }
 
     /// S of the stations: every break is one.
@@ -151,12 +145,10 @@ impl SolidSpatulaSettings {
         let pad = body.pad_length;
         let mut ends = vec![0.0, body.length()];
         ends.extend(body.breaks());
-        ends.extend(self.fine.into_iter().flat_map(|zone| [zone.from, zone.to]));
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        let distance = |middle: f64| match self.fine {
-            Some(zone) if zone.from < middle && middle < zone.to => zone.along,
-            _ if middle < pad => self.pad,
+        let distance = |middle: f64| match middle {
+            _ if middle < pad => self.along,
             _ if middle < pad + body.bend_length => self.neck,
             _ if middle < adhering => BEHIND_BEND * self.neck,
             _ => self.shaft,

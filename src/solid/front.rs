@@ -57,33 +57,7 @@ impl Elimination {
             self.lower.resize(size * eliminated, 0.0);
         }
         let diagonal: Vec<f64> = (0..eliminated).map(|k| matrix[k * size + k].abs()).collect();
-        for first in (0..eliminated).step_by(PANEL) {
-            let last = (first + PANEL).min(eliminated);
-            for row in first + 1..size {
-                let (above, own) = matrix.split_at_mut(row * size);
-                let inside = row < last;
-                let own = &mut own[..size];
-                let until = if inside { row } else { last };
-                let mut factors = [0.0; PANEL];
-                for k in first..until {
-                    let pivot_row = &above[k * size..][..size];
-                    let factor = if symmetric {
-                        pivot_row[row] / pivot_row[k]
-                    } else {
-                        let taken: f64 = (first..k).map(|m| factors[m - first] * above[m * size + k]).sum();
-                        (own[k] - taken) / pivot_row[k]
-                    };
-                    factors[k - first] = factor;
-                    if !symmetric {
-                        self.lower[row * eliminated + k] = factor;
-                    }
-                }
-                let from = if symmetric { row } else { until };
-                let mut rows = [&above[..0]; PANEL];
-                (first..until).for_each(|k| rows[k - first] = &above[k * size + from..][..size - from]);
-                take_off(&mut own[from..], &rows[..until - first], &factors);
-            }
-        }
+        eliminate(matrix, (size, eliminated), &mut self.lower);
         for k in 0..eliminated {
             let pivot = matrix[k * size + k];
             pivots.negative += usize::from(pivot < 0.0);
@@ -136,6 +110,42 @@ impl Elimination {
                 let taken: f64 = (k + 1..self.size).map(|i| row[i] * right[i]).sum();
                 right[k] = (right[k] - taken) / row[k];
             }
+        }
+    }
+}
+
+/// The elimination itself; of a matrix that is symmetric `lower` is empty.
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
+fn eliminate(matrix: &mut [f64], (size, eliminated): (usize, usize), lower: &mut [f64]) {
+    let symmetric = lower.is_empty();
+    for first in (0..eliminated).step_by(PANEL) {
+        let last = (first + PANEL).min(eliminated);
+        for row in first + 1..size {
+            let (above, own) = matrix.split_at_mut(row * size);
+            let inside = row < last;
+            let own = &mut own[..size];
+            let until = if inside { row } else { last };
+            let mut factors = [0.0; PANEL];
+            for k in first..until {
+                let pivot_row = &above[k * size..][..size];
+                let factor = if symmetric {
+                    pivot_row[row] / pivot_row[k]
+                } else {
+                    let taken: f64 = (first..k).map(|m| factors[m - first] * above[m * size + k]).sum();
+                    (own[k] - taken) / pivot_row[k]
+                };
+                factors[k - first] = factor;
+                if !symmetric {
+                    lower[row * eliminated + k] = factor;
+                }
+            }
+            let from = if symmetric { row } else { until };
+            let mut rows = [&above[..0]; PANEL];
+            (first..until).for_each(|k| rows[k - first] = &above[k * size + from..][..size - from]);
+            take_off(&mut own[from..], &rows[..until - first], &factors);
         }
     }
 }

@@ -5,6 +5,7 @@
 //! (16) of the paper.
 
 pub(crate) mod basis;
+pub(crate) mod body;
 pub(crate) mod contact;
 pub(crate) mod front;
 pub(crate) mod grip;
@@ -16,6 +17,7 @@ mod system;
 mod tables;
 mod transfer;
 pub use basis::{MOST_SOLID_ORDER, SolidElement};
+pub use body::SolidBody;
 pub use contact::SolidContact;
 pub use grip::SolidGrip;
 pub use material::{Plane, SolidMaterial};

@@ -25,7 +25,6 @@ pub use displacement_controlled_test::result::{
     Elsewhere, Jump, JumpEnd, JumpKind, Observed, PullOff, TestEffort, TestEnd, TestPoint, TestStation,
     UnknownJumpError,
 };
-pub use displacement_controlled_test::solid_pull::{SolidPull, SolidPullError, SolidPullPoint};
 pub use displacement_controlled_test::stable_branch::{
     Balance, BranchError, LeftModel, LoadingDirection, ModelLimit, TestError, TestFailure,
 };
@@ -90,7 +89,7 @@ pub use seta::run::{pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
 pub use solid_peel::{
     SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
-    peel_solid,
+    peel_solid, peel_solid_on,
 };
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::fields::{BeamState, StateSections};

@@ -1,4 +1,4 @@
-//! The peel of a strip as a plane solid: its path, its limit points and their errors, how it ended.
+//! The peel of a strip or a spatula as a solid: its path, its limit points and their errors, how it ended.
 //!
 //! The path is followed as that of a beam, by [`crate::solve::PathTracer`]; what differs is the error. The mesh of a solid stays, so that each limit
 //! point is solved again on a finer one: one order more of Q(p,q), half the size of other elements. The difference counts once for a higher order,
@@ -7,9 +7,11 @@
 
 use super::asked::events::{EventAt, StationQuantity};
 use super::asked::stop_criteria::{Bound, FollowedUntil, Stage, StopCriteria};
+use super::peel::budget::Checkpoint;
 use crate::model::peel::PeelModel;
 use crate::model::solid::{SolidError, SolidSettings};
-use crate::solid::strip::SolidStrip;
+use crate::solid::body::{FinerBody, SolidBody};
+use crate::solid::spatula::solid_spatula::SolidSpatula;
 use crate::solve::error::SolveError;
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::path::equilibrium_path::Path;
@@ -19,6 +21,7 @@ use crate::solve::points::passing::{FoundValue, PathNumber, SoughtValue};
 use crate::solve::points::search::{BendRule, LimitPointKind, LimitPointSearch};
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
 use crate::solve::problem::Problem;
+use crate::solve::relax::{Held, RelaxError, RelaxOptions, relax};
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::{Pace, Workspace};
 use std::sync::Arc;
@@ -30,22 +33,20 @@ pub struct SolidOptions {
     pub stop: StopCriteria,
     /// How many limit points and stations are solved again on a finer mesh, from the first on
     pub bounded: usize,
-    /// Error of a prediction along the path that its steps aim at, relative to the gap
-    pub step: f64,
+    /// Error of a prediction along the path that its steps aim at, relative to the gap; none: by the body
+    pub step: Option<f64>,
 }
 
 impl Default for SolidOptions {
     /// The whole path, with errors of the first twenty limit points.
     fn default() -> Self {
-        Self { stop: StopCriteria::default(), bounded: 20, step: STEP }
+        Self { stop: StopCriteria::default(), bounded: 20, step: None }
     }
 }
 
-/// An error of a prediction that steps aim at: those over one element are then some five or more.
+/// An error of a prediction that steps aim at: those over one element are then some five or more. The path of a spatula is longer.
 const STEP: f64 = 0.02;
-/// What a difference to a mesh of half the size counts.
-const OF_HALF_THE_SIZE: f64 = 2.0;
-
+const STEP_OF_SPATULA: f64 = 0.05;
 /// An equilibrium of a solid.
 #[derive(Clone, Debug)]
 pub struct SolidPoint {
@@ -125,13 +126,15 @@ pub enum SolidPathEnd {
     Bound(Bound),
     /// The path could not be continued.
     Failed(TraceError),
+    /// There is no path: it does not come to rest before.
+    NotAtRest(RelaxError),
 }
 
-/// The peel of a strip as a solid.
+/// The peel of a solid.
 #[derive(Clone, Debug)]
 pub struct SolidPeel {
     /// What it was computed on
-    pub strip: Arc<SolidStrip>,
+    pub body: SolidBody,
     /// From rest on
     pub points: Vec<SolidPoint>,
     /// In path order
@@ -182,9 +185,9 @@ pub enum SolidLeftOut {
 }
 
 impl SolidPeel {
-    /// Length of the strip, nm.
-    pub fn length(&self) -> f64 {
-        self.strip.mesh_lines().0.last().copied().unwrap_or(0.0)
+    /// Whether its path was stopped on the way, by time or by who watches it: more of it may be computed.
+    pub fn is_unfinished(&self) -> bool {
+        matches!(self.end, SolidPathEnd::Bound(Bound::Time { .. } | Bound::Interrupted))
     }
 
     /// The first maximum of the force.
@@ -229,10 +232,23 @@ pub fn peel_solid(
     settings: &SolidSettings,
     options: &SolidOptions,
 ) -> Result<SolidPeel, SolidError> {
-    let strip = Arc::new(settings.strip(model)?);
-    let problem = strip.problem();
-    let (traced, points) = Traced::follow(&strip, &problem, options);
-    let finer = (options.bounded > 0).then(|| Finer::new(&strip));
+    peel_solid_on(model, settings, options, &Checkpoint::NOTHING)
+}
+
+/// The same, with the points of its path from an earlier run that was stopped, and each one behind them kept.
+///
+/// # Errors
+/// As of [`peel_solid`].
+pub fn peel_solid_on(
+    model: &PeelModel,
+    settings: &SolidSettings,
+    options: &SolidOptions,
+    checkpoint: &Checkpoint,
+) -> Result<SolidPeel, SolidError> {
+    let body = settings.body(model)?;
+    let problem = body.problem();
+    let (traced, points) = Traced::follow(&body, &problem, options, checkpoint);
+    let finer = (options.bounded > 0 && !traced.found.is_empty()).then(|| Finer::new(&body));
     let bounded = |index: usize| finer.as_ref().filter(|_| index < options.bounded);
     let solutions = &traced.solutions;
     let limit_points = traced.found.iter().enumerate().map(|(index, (kind, after, located))| {
@@ -242,18 +258,18 @@ pub fn peel_solid(
         SolidLimitPoint { kind: *kind, displacement, force, after: *after, errors }
     });
     let limit_points = limit_points.collect();
-    let (passed, missed) = passed(&strip, &problem, &solutions[..points.len()], &options.stop);
+    let (passed, missed) = passed(&body, &problem, &solutions[..points.len()], &options.stop);
     let at_rest = points.first().map_or(0.0, |first| first.solution.energy);
     let stations = passed.iter().enumerate().map(|(index, (event, found))| {
         let solution = &found.solution;
         let force_error = bounded(index).and_then(|finer| finer.station(solution, solutions));
-        let point = SolidPoint::new(&strip, solution, at_rest);
+        let point = SolidPoint::new(&body, solution, at_rest);
         SolidStation { event: *event, point, after: found.after, force_error }
     });
     let stations = stations.collect();
     let Traced { mut left_out, iterations, end, .. } = traced;
     left_out.extend(missed);
-    Ok(SolidPeel { strip, points, limit_points, stations, end, left_out, iterations })
+    Ok(SolidPeel { body, points, limit_points, stations, end, left_out, iterations })
 }
 
 /// A path as far as it was followed.
@@ -266,14 +282,38 @@ struct Traced {
 }
 
 impl Traced {
+    /// One without a point.
+    fn ended(end: SolidPathEnd) -> Self {
+        Self { solutions: Vec::new(), found: Vec::new(), left_out: Vec::new(), iterations: 0, end }
+    }
+
     /// From rest to its end, with its points; a few solutions may be known behind the last of them.
-    fn follow(strip: &SolidStrip, problem: &Problem, options: &SolidOptions) -> (Self, Vec<SolidPoint>) {
-        let path = PathOptions {
-            step_tolerance: options.step,
-            first_displacement: FIRST * strip.rest_gap(),
+    fn follow(
+        body: &SolidBody,
+        problem: &Problem,
+        options: &SolidOptions,
+        checkpoint: &Checkpoint,
+    ) -> (Self, Vec<SolidPoint>) {
+        let usual = match body {
+            SolidBody::Strip(_) => STEP,
+            SolidBody::Spatula(_) => STEP_OF_SPATULA,
+        };
+        let how = PathOptions {
+            step_tolerance: options.step.unwrap_or(usual),
+            first_displacement: FIRST * body.rest_gap(),
             ..PathOptions::default()
         };
-        let path = Path::new(problem, path).until(options.stop.for_solves(Stage::Path));
+        let taken = (checkpoint.taken)(&how);
+        let mut known = taken.len();
+        let path = match body {
+            // what an earlier run has kept begins at rest
+            SolidBody::Spatula(spatula) if taken.is_empty() => match settled(spatula, problem, options) {
+                Ok(start) => Path::from(problem, how, start),
+                Err(end) => return (Self::ended(end), Vec::new()),
+            },
+            SolidBody::Strip(_) | SolidBody::Spatula(_) => Path::new(problem, how),
+        };
+        let path = path.until(options.stop.for_solves(Stage::Path)).knowing(taken);
         let mut tracer = PathTracer::new(problem, path, TraceOptions::default());
         let (mut found, mut left_out, mut points) = (Vec::new(), Vec::new(), Vec::<SolidPoint>::new());
         let mut at_rest = None;
@@ -306,13 +346,18 @@ impl Traced {
                     None => break SolidPathEnd::Failed(error),
                 },
             };
-            let point = SolidPoint::new(strip, &solution, *at_rest.get_or_insert(solution.energy));
+            let point = SolidPoint::new(body, &solution, *at_rest.get_or_insert(solution.energy));
             let (displacement, force) = (point.displacement, point.force);
             points.push(point);
+            if known > 0 {
+                known -= 1;
+            } else if let Some(waypoint) = tracer.path().waypoint() {
+                (checkpoint.keep)(&how, waypoint);
+            }
             if points.len() == 1 {
                 continue;
             }
-            if strip.is_detached(&solution.at.values) {
+            if body.is_detached(&solution.at.values) {
                 break SolidPathEnd::Detached;
             }
             if displacement <= 0.0 {
@@ -331,21 +376,21 @@ impl Traced {
                 break SolidPathEnd::Bound(Bound::Until(FollowedUntil::FirstJump));
             }
             let known = &tracer.path().points()[..points.len()];
-            if let Some(event) = stopping(strip, problem, known, &options.stop) {
+            if let Some(event) = stopping(body, problem, known, &options.stop) {
                 break SolidPathEnd::Bound(Bound::Event { name: event.name.clone() });
             }
         };
         let mut solutions = tracer.path().points().to_vec();
         if let SolidPathEnd::Bound(Bound::Event { name }) = &end {
             let event = options.stop.ending().find(|event| event.name == *name);
-            let first = event.and_then(|event| first_on_last_step(strip, problem, &solutions[..points.len()], event));
+            let first = event.and_then(|event| first_on_last_step(body, problem, &solutions[..points.len()], event));
             // where it cannot be located the point beyond it stays: it is an equilibrium too
             if let (Some(at), Some(rest), Some(last)) = (first, at_rest, points.last_mut()) {
                 let label = |observables: &Observables| at.segment.label(observables);
                 found.retain(|(_, after, located): &(_, usize, Located)| {
                     *after < at.after || label(&located.observables) <= label(&at.solution.observables)
                 });
-                *last = SolidPoint::new(strip, &at.solution, rest);
+                *last = SolidPoint::new(body, &at.solution, rest);
                 solutions.truncate(at.after + 1);
                 solutions.push(at.solution);
             }
@@ -354,18 +399,32 @@ impl Traced {
     }
 }
 
+/// Most that a step of a relaxation moves, over the gap.
+const SETTLING: f64 = 0.3;
+
+/// A spatula at rest: it is bonded along its pad without stress, which is no equilibrium, as the root of its neck closes.
+fn settled(spatula: &SolidSpatula, problem: &Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
+    let mut ws = Workspace::until(options.stop.for_solves(Stage::Path));
+    let held = Held::Displacement(0.0);
+    let relaxed = relax(problem, spatula.at_rest(), held, &RelaxOptions::by(SETTLING), &mut ws);
+    relaxed.map(|relaxed| relaxed.solution.at).map_err(|cause| match options.stop.reached_bound(Stage::Path) {
+        Some(bound) => SolidPathEnd::Bound(bound),
+        None => SolidPathEnd::NotAtRest(cause),
+    })
+}
+
 /// The first step, over the gap at rest.
 const FIRST: f64 = 0.03;
 
 impl SolidPoint {
-    fn new(strip: &SolidStrip, solution: &Arc<Solution>, at_rest: f64) -> Self {
-        let counts = strip.has_potential();
+    fn new(body: &SolidBody, solution: &Arc<Solution>, at_rest: f64) -> Self {
+        let counts = body.has_potential();
         let o = solution.observables;
         Self {
             displacement: o.displacement,
             force: o.force,
             end_rotation: o.recorded,
-            front: o.monitors[0],
+            front: body.adhering_length() - body.front(&solution.at.values, o.monitors[0]),
             work: counts.then_some(solution.energy - at_rest),
             negative: counts.then_some(solution.negative),
             negative_load: counts.then_some(solution.negative_load),
@@ -378,25 +437,17 @@ impl SolidPoint {
 const TOLERANCE: f64 = 1e-9;
 
 /// The value of a station or an event on a path with these points.
-fn sought<'p>(
-    strip: &'p SolidStrip,
-    problem: &'p Problem,
-    points: &'p [Arc<Solution>],
-    at: &EventAt,
-) -> SoughtValue<'p> {
-    let [length, height] = <[_; 2]>::from(strip.mesh_lines()).map(|lines| lines.last().copied().unwrap_or(0.0));
+fn sought<'p>(body: &'p SolidBody, problem: &'p Problem, points: &'p [Arc<Solution>], at: &EventAt) -> SoughtValue<'p> {
     let number = match at.quantity.named() {
         Some(StationQuantity::Displacement) => PathNumber::observable(problem, |o| o.displacement),
         Some(StationQuantity::Force) => PathNumber::observable(problem, |o| o.force),
         // how fast it changes is not among what a point of the path knows
-        Some(StationQuantity::EndRotation) => {
-            PathNumber::of_state(problem, |at| strip.end_rotation(&strip.displacements(&at.values)))
-        }
-        Some(StationQuantity::Front) => PathNumber::following(problem, |o| o.monitors[0], move |off| length - off, 1.0),
-        Some(StationQuantity::FreeEndGap) => PathNumber::of_state(problem, move |at| {
-            let edge = |height: f64| strip.rest_gap() + height + strip.displacement_at(&at.values, 0.0, height)[1];
-            edge(0.0).min(edge(height))
-        }),
+        Some(StationQuantity::EndRotation) => PathNumber::of_state(problem, |at| body.end_rotation(&at.values)),
+        Some(StationQuantity::Front) => match body {
+            SolidBody::Strip(_) => PathNumber::following(problem, |o| o.monitors[0], |off| body.length() - off, 1.0),
+            SolidBody::Spatula(spatula) => PathNumber::of_state(problem, |at| spatula.front(&at.values)),
+        },
+        Some(StationQuantity::FreeEndGap) => PathNumber::of_state(problem, |at| body.free_end_gap(&at.values)),
         Some(StationQuantity::Time | StationQuantity::Attached) | None => PathNumber::of_state(problem, |_| f64::NAN),
     };
     SoughtValue::new(number, at.value, at.passing, points)
@@ -404,37 +455,37 @@ fn sought<'p>(
 
 /// The event that ends a path, on its newest step: the first that it passes.
 fn stopping<'e>(
-    strip: &SolidStrip,
+    body: &SolidBody,
     problem: &Problem,
     points: &[Arc<Solution>],
     stop: &'e StopCriteria,
 ) -> Option<&'e EventAt> {
     let after = points.len().checked_sub(2)?;
-    stop.first_passed(after, |event| sought(strip, problem, points, event))
+    stop.first_passed(after, |event| sought(body, problem, points, event))
 }
 
 /// Where an event first lies on the newest step of a path.
 fn first_on_last_step(
-    strip: &SolidStrip,
+    body: &SolidBody,
     problem: &Problem,
     points: &[Arc<Solution>],
     event: &EventAt,
 ) -> Option<FoundValue> {
     let after = points.len().checked_sub(2)?;
-    let found = sought(strip, problem, points, event).on_step(after, &mut Workspace::default());
+    let found = sought(body, problem, points, event).on_step(after, &mut Workspace::default());
     found.ok()?.into_iter().next()
 }
 
 /// Where the stations and events lie on a path, in its order, each with its number; and which of them were not located.
 fn passed(
-    strip: &SolidStrip,
+    body: &SolidBody,
     problem: &Problem,
     points: &[Arc<Solution>],
     stop: &StopCriteria,
 ) -> (Vec<(usize, FoundValue)>, Vec<SolidLeftOut>) {
     let (mut passed, mut missed, mut ws) = (Vec::new(), Vec::new(), Workspace::default());
     for (event, at) in stop.events.iter().enumerate() {
-        let value = sought(strip, problem, points, at);
+        let value = sought(body, problem, points, at);
         for after in 0..points.len().saturating_sub(1) {
             match value.on_step(after, &mut ws) {
                 Ok(found) => passed.extend(found.into_iter().map(|found| (event, found))),
@@ -457,20 +508,19 @@ const MOST_UPDATE: f64 = 2.0;
 /// share of itself: else another point has been found.
 const SAME_PLACE: f64 = 0.3;
 
-/// The same strip on a finer mesh.
+/// The same body on a finer mesh.
 struct Finer<'s> {
-    strip: &'s SolidStrip,
-    fine: Arc<SolidStrip>,
+    coarse: &'s SolidBody,
+    fine: SolidBody,
     problem: Problem,
     /// What a difference counts
     factor: f64,
 }
 
 impl<'s> Finer<'s> {
-    fn new(strip: &'s SolidStrip) -> Self {
-        let fine = Arc::new(strip.refined());
-        let factor = if fine.element() == strip.element() { OF_HALF_THE_SIZE } else { 1.0 };
-        Self { strip, problem: fine.problem(), fine, factor }
+    fn new(coarse: &'s SolidBody) -> Self {
+        let FinerBody { body: fine, factor } = coarse.finer();
+        Self { coarse, problem: fine.problem(), fine, factor }
     }
 
     /// Errors of a limit point; `width` is the length over which the front moves on its step.
@@ -497,7 +547,7 @@ impl<'s> Finer<'s> {
     /// Error of the force at a displacement: the largest over the points of the path while the front passes through one element. Along it the
     /// error of a coarse mesh changes its sign.
     fn station(&self, solution: &Solution, path: &[Arc<Solution>]) -> Option<f64> {
-        let half = 0.5 * self.strip.longest_column();
+        let half = 0.5 * self.coarse.longest_column();
         let front = |solution: &Solution| solution.observables.monitors[0];
         let beside = path.iter().filter(|point| (front(point) - front(solution)).abs() <= half);
         let all = beside.map(|point| &**point).chain(std::iter::once(solution));
@@ -509,7 +559,7 @@ impl<'s> Finer<'s> {
     }
 
     fn equilibrium(&self, at: &State, coarse: &Observables, weights: Observables) -> Option<Solution> {
-        let start = self.fine.state_of(self.strip, at);
+        let start = self.fine.state_of(self.coarse, at)?;
         let constraint = PathConstraint { weights, target: weights.dot(coarse) };
         // what is carried over is no equilibrium yet: its first updates may wander
         let ws = &mut Workspace::default().at(Pace::Wary);

@@ -57,13 +57,22 @@ const RATE: &str = "[strip]\nlength = \"40 nm\"\nheight = \"10 nm\"\nyoungs_modu
 const UNCERTAIN: &str = include_str!("../../scenes/strip-uncertain.toml");
 
 /// Every kind of analysis that keeps what it finds.
-pub const ROWS: [Row; 13] = [
+pub const ROWS: [Row; 14] = [
     Row {
         name: "a path on which Newton's method is slow",
         scene: include_str!("../../scenes/hard/unshearable.toml"),
         command: &["run", "--set", "accuracy.elements=480", "--set", "accuracy.step=1e-5"],
         partial: "run.partial",
         results: 2,
+        counts: true,
+        time: Some("0.3 s"),
+    },
+    Row {
+        name: "a strip as a solid",
+        scene: include_str!("../../scenes/solid-strip.toml"),
+        command: &["run", "--set", "bounds.displacement=10 nm", "--set", "solid.along=2.5 nm"],
+        partial: "run.partial",
+        results: 10,
         counts: true,
         time: Some("0.3 s"),
     },

@@ -10,6 +10,7 @@ use crate::peel::{is_refused, json, run};
 use serde_json::Value;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/solid-strip.toml");
+const SPATULA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/solid-spatula.toml");
 const COARSE: [&str; 6] =
     ["--set", "solid.along=4 nm", "--set", "solid.through=1", "--set", "bounds.displacement=0.6 nm"];
 
@@ -41,7 +42,7 @@ fn what_a_beam_alone_has_is_refused() {
     );
     let vary = ["sweep", SCENE, "--vary", "strip.height", "--values", "9 nm, 10 nm"];
     is_refused(folder.path(), &[&vary[..], &["--peak-only"]].concat(), &["have no meaning for a solid"]);
-    is_refused(folder.path(), &["coarsen", SCENE], &["[solid] is a table of a strip that is computed as a solid"]);
+    is_refused(folder.path(), &["coarsen", SCENE], &["[solid] is a table of a body that is computed as a solid"]);
 }
 
 /// A station and an event of the coarse strip: in stations.csv, in print, and an event that stops is the end, which is no failure.
@@ -58,6 +59,33 @@ fn stations_and_events_are_written_and_stop_a_run() {
     let curve = std::fs::read_to_string(folder.path().join("out/curve.csv")).unwrap();
     let last: f64 = curve.lines().last().unwrap().split(',').next().unwrap().parse().unwrap();
     assert!((last / 0.3 - 1.0).abs() < 1e-11, "{last}");
+}
+
+/// A small spatula: the curve to its first peak, pictures and states of its plane of symmetry, and what a strip alone has is refused.
+#[test]
+fn a_spatula_is_pulled_as_a_solid() {
+    let folder = tempfile::tempdir().unwrap();
+    let small = [
+        "spatula.pad_length=60 nm",
+        "spatula.neck_length=40 nm",
+        "spatula.bend_length=20 nm",
+        "spatula.shaft_length=60 nm",
+        "spatula.tip_width=40 nm",
+        "spatula.neck_width=20 nm",
+        "spatula.shaft_diameter=20 nm",
+        "solid.along=4 nm",
+        "solid.across=1",
+        "bounds.displacement=3 nm",
+    ];
+    let small: Vec<&str> = small.iter().flat_map(|set| ["--set", set]).collect();
+    let asked = ["--out", "out", "--states", "2", "--at", "u=2 nm"];
+    let (status, text, trouble) = run(folder.path(), &[&["run", SPATULA], &small[..], &asked[..]].concat());
+    assert_eq!((status, trouble.as_str()), (Some(0), ""), "{text}");
+    assert!(text.contains("elements H1(2)"), "{text}");
+    for file in ["curve.csv", "curve.svg", "solid.svg", "stations.csv", "states/solid-000.vtu"] {
+        assert!(folder.path().join("out").join(file).is_file(), "{file}");
+    }
+    is_refused(folder.path(), &["run", SPATULA, "--set", "solid.through=2"], &["a key of [solid] for a strip"]);
 }
 
 #[test]

@@ -55,6 +55,10 @@ fn every_example_that_messages_give_is_right() {
             "setae" | "lamella" => "[setae]\n[lamella]\n".to_owned(),
             "patch" => "[setae]\n[patch]\npress = \"3 mm\"\n".to_owned(),
             "toe" => "[setae]\n[lamella]\n[toe]\n".to_owned(),
+            "solid" if key.name == "across" => {
+                include_str!("../../scenes/spatula.toml").replace("# far_face = true", "far_face = false")
+                    + "\n[solid]\n"
+            }
             "solid" => format!("{MINIMAL}[solid]\n"),
             "time" if ["opening_rate", "rate_exponent"].contains(&key.name) => {
                 let law = MINIMAL.replace("[adhesion]\n", "[adhesion]\nlaw = \"bilinear\"\n");

@@ -1,4 +1,4 @@
-//! The table of a strip that is computed as a solid.
+//! The table of a strip or a spatula that is computed as a solid.
 //!
 //! Reference: the settings of the library, by hand.
 //!
@@ -13,6 +13,9 @@ use peelkit_scene::{Described, Scene};
 
 const SOLID: &str = "[solid]\nelement = \"H1(2)\"\nmodes = false\nalong = \"2.5 nm\"\nthrough = 3\nplane = \"strain\"\n\
      material = \"st-venant-kirchhoff\"\ncontact = \"body-force\"\ngrip = \"parabolic\"\ngrading = \"grip\"\n";
+
+const SPATULA: &str = "[spatula]\n[adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\nfar_face = false\n\
+     [grip]\nrotation = \"fixed\"\n";
 
 fn parse(text: &str) -> Scene {
     Scene::parse_any("strip.toml", text, &[]).unwrap()
@@ -30,6 +33,7 @@ fn words_arrive_as_what_they_mean() {
         modes: false,
         along: 2.5,
         through: 3,
+        across: 2,
         plane: Plane::Strain,
         material: SolidMaterial::StVenantKirchhoff,
         contact: SolidContact::BodyForce,
@@ -42,9 +46,26 @@ fn words_arrive_as_what_they_mean() {
     assert_eq!(settings(&scene), expected);
 }
 
+/// A spatula has two keys of the table, and a strip all but one.
+#[test]
+fn each_body_has_its_own_keys() {
+    let scene = parse(&format!("{SPATULA}[solid]\nalong = \"3 nm\"\nacross = 4\n"));
+    let found = settings(&scene);
+    assert_eq!((found.along, found.across), (3.0, 4));
+    for (text, key) in [(SPATULA, "element"), (SPATULA, "plane"), (MINIMAL, "across")] {
+        let value = if key == "across" { "2" } else { "\"Q1C1\"" };
+        let error = Scene::parse_any("a.toml", &format!("{text}[solid]\n{key} = {value}\n"), &[]).unwrap_err();
+        assert!(error.to_string().contains("is a key of [solid] for a"), "{error}");
+    }
+    let error =
+        Scene::parse_any("a.toml", &format!("{SPATULA}[solid]\n").replace("far_face = false", ""), &[]).unwrap_err();
+    assert!(error.to_string().contains("adheres by its underside alone"), "{error}");
+}
+
 #[test]
 fn a_scene_comes_back_as_it_was() {
-    for text in [format!("{MINIMAL}{SOLID}"), format!("{MINIMAL}[solid]\nelement = \"Q(4,5)\"\n")] {
+    let spatula = format!("{SPATULA}[solid]\nacross = 3\n");
+    for text in [spatula, format!("{MINIMAL}{SOLID}"), format!("{MINIMAL}[solid]\nelement = \"Q(4,5)\"\n")] {
         let scene = parse(&text);
         let written = scene.to_toml();
         assert_eq!(Scene::parse_any("strip.toml", &written, &[]).unwrap(), scene, "{written}");

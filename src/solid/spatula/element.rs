@@ -60,11 +60,18 @@ pub(super) struct ElementWork {
     /// Its upper triangle, function by function
     pub tangent: Vec<f64>,
     blocks: [Vec<f64>; 6],
+    points: Vec<TangentPoint>,
 }
 
 impl Default for ElementWork {
     fn default() -> Self {
-        Self { energy: 0.0, residual: [0.0; ELEMENT], tangent: Vec::new(), blocks: Default::default() }
+        Self {
+            energy: 0.0,
+            residual: [0.0; ELEMENT],
+            tangent: Vec::new(),
+            blocks: Default::default(),
+            points: Vec::new(),
+        }
     }
 }
 
@@ -100,7 +107,7 @@ fn hermite(xi: f64, length: f64) -> [Jet; ALONG] {
 }
 
 /// Quadratic functions of the nodes -1, 0 and 1.
-fn quadratic(eta: f64) -> [Jet; 3] {
+pub(super) fn quadratic(eta: f64) -> [Jet; 3] {
     [[0.5 * eta * (eta - 1.0), eta - 0.5], [1.0 - eta * eta, -2.0 * eta], [0.5 * eta * (eta + 1.0), eta + 0.5]]
 }
 
@@ -129,7 +136,7 @@ impl ElementPlace<'_> {
     }
 
     /// What x and y are interpolated by: of each function.
-    fn coefficients(&self) -> [[f64; 2]; FUNCTIONS] {
+    pub(crate) fn coefficients(&self) -> [[f64; 2]; FUNCTIONS] {
         std::array::from_fn(|k| {
             let (along, zeta) = (k / (THROUGH * ACROSS), (k / ACROSS % THROUGH) as f64 - 1.0);
             let t = self.t((k % ACROSS) as f64 - 1.0);
@@ -160,6 +167,28 @@ impl ElementPlace<'_> {
         rows[2][2] = 0.5 * (self.sides[1] - self.sides[0]) * z.across;
         (rows, height)
     }
+
+    /// The determinant of these derivatives at (ξ, ζ, η), and ∂N/∂x, ∂N/∂y, ∂N/∂z of each function.
+    pub(crate) fn gradients(&self, coefficients: &[[f64; 2]; FUNCTIONS], at: Vector) -> (f64, [[f64; FUNCTIONS]; 3]) {
+        let [xi, zeta, eta] = at;
+        let functions = functions(xi, zeta, eta, self.length());
+        let (rows, _) = self.jacobian(coefficients, &functions, at);
+        let [of_xi, of_zeta, of_eta] =
+            [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
+        let determinant = dot(&rows[0], &of_xi);
+        let mut gradients = [[0.0; FUNCTIONS]; 3];
+        for (k, [_, a, b, c]) in functions.iter().enumerate() {
+            for i in 0..3 {
+                gradients[i][k] = (a * of_xi[i] + b * of_zeta[i] + c * of_eta[i]) / determinant;
+            }
+        }
+        (determinant, gradients)
+    }
+
+    /// Values of the functions at (ξ, ζ, η).
+    pub(crate) fn values(&self, [xi, zeta, eta]: Vector) -> [f64; FUNCTIONS] {
+        functions(xi, zeta, eta, self.length()).map(|[value, ..]| value)
+    }
 }
 
 fn cross(a: &Vector, b: &Vector) -> Vector {
@@ -170,26 +199,25 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
+/// The same over the functions, in four sums side by side.
+fn dot_of_functions(a: &[f64; FUNCTIONS], b: &[f64; FUNCTIONS]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
+        (0..4).for_each(|l| sums[l] += a[l] * b[l]);
+    }
+    sums.iter().sum()
+}
+
 impl Element {
     pub(crate) fn new(place: &ElementPlace) -> Self {
         let coefficients = place.coefficients();
-        let length = place.length();
         let [along, through, across] = BULK.map(gauss);
         let mut element = Self { bulk: Vec::new(), face: Vec::new(), laplacian: vec![0.0; FUNCTIONS * FUNCTIONS] };
         for &(xi, w) in &along {
             for &(zeta, v) in &through {
                 for &(eta, u) in &across {
-                    let functions = functions(xi, zeta, eta, length);
-                    let (rows, _) = place.jacobian(&coefficients, &functions, [xi, zeta, eta]);
-                    let [of_xi, of_zeta, of_eta] =
-                        [cross(&rows[1], &rows[2]), cross(&rows[2], &rows[0]), cross(&rows[0], &rows[1])];
-                    let determinant = dot(&rows[0], &of_xi);
-                    let mut gradient = Box::new([[0.0; FUNCTIONS]; 3]);
-                    for (k, [_, a, b, c]) in functions.iter().enumerate() {
-                        for i in 0..3 {
-                            gradient[i][k] = (a * of_xi[i] + b * of_zeta[i] + c * of_eta[i]) / determinant;
-                        }
-                    }
+                    let (determinant, gradient) = place.gradients(&coefficients, [xi, zeta, eta]);
+                    let gradient = Box::new(gradient);
                     element.bulk.push(BulkPoint { volume: HALVES * w * v * u * determinant, gradient });
                 }
             }
@@ -206,7 +234,7 @@ impl Element {
         if place.face_points > 0 {
             for (xi, w) in gauss(place.face_points) {
                 for (eta, u) in gauss(FACE_ACROSS) {
-                    let functions = functions(xi, -1.0, eta, length);
+                    let functions = functions(xi, -1.0, eta, place.length());
                     let (rows, height) = place.jacobian(&coefficients, &functions, [xi, -1.0, eta]);
                     // the normal off the body points down where the ground is seen
                     let projected = rows[0][0] * rows[2][2] - rows[0][2] * rows[2][0];
@@ -246,13 +274,15 @@ impl Element {
         let mut residual = [[0.0; FUNCTIONS]; 3];
         work.energy = 0.0;
         if tangent {
+            work.points.clear();
             for (block, (a, b)) in work.blocks.iter_mut().zip(PAIRS) {
                 block.clear();
                 if a == b { block.extend_from_slice(&self.laplacian) } else { block.resize(FUNCTIONS * FUNCTIONS, 0.0) }
             }
         }
         for point in &self.bulk {
-            let h: [Vector; 3] = std::array::from_fn(|i| std::array::from_fn(|j| dot(&own[i], &point.gradient[j])));
+            let h: [Vector; 3] =
+                std::array::from_fn(|i| std::array::from_fn(|j| dot_of_functions(&own[i], &point.gradient[j])));
             let response = material.at(&h);
             let stress = material.stress(&h, &response);
             work.energy += point.volume * response.energy;
@@ -264,15 +294,11 @@ impl Element {
                 }
             }
             if tangent {
-                add_geometric(
-                    &point.gradient,
-                    &response.inverse,
-                    point.volume,
-                    material.first,
-                    response.pressure,
-                    &mut work.blocks,
-                );
+                work.points.push(TangentPoint::new(point, &response.inverse, material.first, response.pressure));
             }
+        }
+        if tangent {
+            add_points(&work.points, &mut work.blocks);
         }
         for point in &self.face {
             let moved: f64 = (0..ON_FACE).map(|k| own[1][Self::on_face(k)] * point.values[k]).sum();
@@ -303,30 +329,43 @@ impl Element {
     }
 }
 
-/// Adds w (Λ g_ia g_jb - c g_ib g_ja) to the blocks.
-fn add_geometric(
-    gradient: &[[f64; FUNCTIONS]; 3],
-    inverse: &[Vector; 3],
-    weight: f64,
-    first: f64,
-    pressure: f64,
-    blocks: &mut [Vec<f64>; 6],
-) {
-    let spatial: [[f64; FUNCTIONS]; 3] = std::array::from_fn(|a| {
-        let [x, y, z] = inverse[a];
-        std::array::from_fn(|k| x * gradient[0][k] + y * gradient[1][k] + z * gradient[2][k])
-    });
-    let (first, pressure) = (weight * first, weight * pressure);
+/// What a point of the volume adds to the tangent: w (Λ g_ia g_jb - c g_ib g_ja).
+#[derive(Clone, Debug)]
+struct TangentPoint {
+    /// g, by component
+    spatial: [[f64; FUNCTIONS]; 3],
+    /// w Λ and w c
+    factors: [f64; 2],
+}
+
+impl TangentPoint {
+    fn new(point: &BulkPoint, inverse: &[Vector; 3], first: f64, pressure: f64) -> Self {
+        let [gx, gy, gz] = &*point.gradient;
+        let spatial = std::array::from_fn(|a| {
+            let [x, y, z] = inverse[a];
+            std::array::from_fn(|k| x * gx[k] + y * gy[k] + z * gz[k])
+        });
+        Self { spatial, factors: [point.volume * first, point.volume * pressure] }
+    }
+}
+
+/// Adds what all points add to the blocks, a row at a time, so that it is written once.
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx2+fma"))
+)]
+fn add_points(points: &[TangentPoint], blocks: &mut [Vec<f64>; 6]) {
     for (block, (a, b)) in blocks.iter_mut().zip(PAIRS) {
-        let (ga, gb) = (&spatial[a], &spatial[b]);
         for (i, row) in block.as_chunks_mut::<FUNCTIONS>().0.iter_mut().enumerate() {
-            if a == b {
-                let own = (first - pressure) * ga[i];
-                (i..FUNCTIONS).for_each(|j| row[j] += own * ga[j]);
-            } else {
+            let mut sum = *row;
+            for TangentPoint { spatial, factors: [first, pressure] } in points {
+                let (ga, gb) = (&spatial[a], &spatial[b]);
                 let (one, other) = (first * ga[i], -pressure * gb[i]);
-                (0..FUNCTIONS).for_each(|j| row[j] += one * gb[j] + other * ga[j]);
+                for j in 0..FUNCTIONS {
+                    sum[j] += one * gb[j] + other * ga[j];
+                }
             }
+            *row = sum;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::element::{Element, ElementPlace, ElementWork};
 use super::geometry::SolidGeometry;
-use super::layout::{ALONG, ELEMENT, Layout, THROUGH};
+use super::layout::{ELEMENT, Layout};
 use super::material::NeoHookean;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::beam::varying::BeamGeometry;
@@ -27,17 +27,22 @@ const A_FACE_POINT: f64 = 2.0;
 const MOST_FACE_POINTS: usize = 20;
 /// What is added to a gap before a change is taken relative to it, over r0.
 const GAP_SCALE: f64 = 0.05;
+/// A node is off where its gap is so many times r0.
+const DETACHED: f64 = 10.0;
 
 /// A spatula as a solid in space, in the grip of a machine that moves its end face along y.
 ///
 /// Unknowns are those of half of it; energy and forces are those of the whole.
 #[derive(Clone, Debug)]
 pub struct SolidSpatula {
-    pub(super) mesh: SpatulaMesh,
+    pub(in crate::solid) mesh: SpatulaMesh,
     pub(super) layout: Layout,
     elements: Vec<Element>,
     /// Of each element, where its unknowns stand in the front of its column
     places: Vec<Vec<Option<usize>>>,
+    pub(super) geometry: SolidGeometry,
+    /// x and y of the axis at the stations, nm
+    pub(super) axis: Vec<[f64; 2]>,
     /// y of the nodes of the underside at rest, station by station, nm
     heights: Vec<Vec<f64>>,
     pub(super) ground: HalfSpace,
@@ -56,6 +61,27 @@ impl SolidSpatula {
     ) -> Self {
         let geometry = SolidGeometry::new(outline, ground.equilibrium_gap());
         let material = NeoHookean::new(youngs_modulus, poissons_ratio);
+        Self::on(geometry, (material, youngs_modulus), ground, mesh)
+    }
+
+    /// The same with every element cut in two along S and across.
+    pub(crate) fn refined(&self) -> Self {
+        let halved = |ends: &[f64]| {
+            let mut all: Vec<f64> = ends.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).collect();
+            all.extend(ends.last());
+            all
+        };
+        let SpatulaMesh { stations, sides, adhering } = &self.mesh;
+        let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), adhering: *adhering };
+        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground, mesh)
+    }
+
+    fn on(
+        geometry: SolidGeometry,
+        (material, youngs_modulus): (NeoHookean, f64),
+        ground: HalfSpace,
+        mesh: SpatulaMesh,
+    ) -> Self {
         let axis = geometry.axis(&mesh.stations);
         let layout = Layout::new(mesh.stations.len() - 1, mesh.sides.len() - 1);
         let of = |index: usize| {
@@ -83,7 +109,7 @@ impl SolidSpatula {
             (0..layout.lines()).map(line).collect()
         };
         let heights = mesh.stations.iter().enumerate().map(height).collect();
-        Self { mesh, layout, elements, places, heights, ground, material, youngs_modulus }
+        Self { mesh, layout, elements, places, geometry, axis, heights, ground, material, youngs_modulus }
     }
 
     /// Number of elements.
@@ -154,6 +180,23 @@ impl SolidSpatula {
         }
     }
 
+    /// Whether no node of the underside is nearer to the ground than 10 r0.
+    pub(crate) fn is_detached(&self, values: &[f64]) -> bool {
+        let cutoff = DETACHED * self.ground.equilibrium_distance;
+        self.gaps(values).into_iter().take(self.adhering_stations()).all(|gap| gap > cutoff)
+    }
+
+    /// r_eq, the gap at rest, nm.
+    pub(crate) fn rest_gap(&self) -> f64 {
+        self.ground.equilibrium_gap()
+    }
+
+    /// Distance of the stations of what adheres, the longest, nm.
+    pub(crate) fn longest_column(&self) -> f64 {
+        let adhering = &self.mesh.stations[..self.adhering_stations()];
+        adhering.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+    }
+
     /// What is added to a gap before changes are taken relative to it, nm.
     pub(super) fn gap_scale(&self) -> f64 {
         GAP_SCALE * self.ground.equilibrium_distance
@@ -174,47 +217,5 @@ impl SolidSpatula {
     /// Stations whose underside adheres.
     pub(super) fn adhering_stations(&self) -> usize {
         self.mesh.stations.partition_point(|&place| place <= self.mesh.adhering)
-    }
-
-    /// S of the last station from the tip on at which the gap is below twice that of the largest attraction, nm: where the front is.
-    pub(crate) fn front(&self, values: &[f64]) -> f64 {
-        let near = 2.0 * self.ground.strongest_gap();
-        let gaps = self.gaps(values);
-        let last = (0..self.adhering_stations()).rev().find(|&station| gaps[station] < near);
-        last.map_or(0.0, |station| self.mesh.stations[station])
-    }
-
-    /// Values of this state on another mesh of the same body, whose lines across are the same: displacements and slopes at its stations.
-    pub(crate) fn transferred(&self, values: &[f64], to: &Self) -> Vec<f64> {
-        let mut found = vec![0.0; to.unknowns()];
-        for station in 0..to.layout.columns {
-            let place = to.mesh.stations[station];
-            let column = self.mesh.stations.partition_point(|&own| own <= place).clamp(1, self.layout.columns) - 1;
-            let ends = [self.mesh.stations[column], self.mesh.stations[column + 1]];
-            let length = ends[1] - ends[0];
-            let functions = Element::along(2.0 * (place - ends[0]) / length - 1.0, length);
-            for (own, unknown) in to.layout.station.iter().enumerate() {
-                let node = (unknown.through, unknown.across);
-                let mut sum = 0.0;
-                for along in 0..ALONG {
-                    let [value, slope] = functions[along];
-                    let factor = if unknown.slope { 2.0 * slope / length } else { value };
-                    let from = self.layout.unknown(column + along / 2, node, along % 2 == 1, unknown.axis);
-                    sum += factor * from.map_or(0.0, |from| values[from]);
-                }
-                found[to.layout.start(station) + own] = sum;
-            }
-        }
-        let (from, into) = (self.layout.start(self.layout.columns), to.layout.start(to.layout.columns));
-        found[into..].copy_from_slice(&values[from..]);
-        found
-    }
-
-    /// Displacement of a node: station, node through the thickness (0 to 2, the underside first) and across.
-    pub fn displacement(&self, values: &[f64], station: usize, (through, across): (usize, usize)) -> [f64; 3] {
-        debug_assert!(through < THROUGH);
-        std::array::from_fn(|axis| {
-            self.layout.unknown(station, (through, across), false, axis).map_or(0.0, |unknown| values[unknown])
-        })
     }
 }

@@ -315,16 +315,21 @@ fn beside(
     }
 }
 
-/// A limit point of the force that could not be located: the solution where an interpolant has it, or an end of its step, with the step as the error of both numbers.
-pub(crate) fn unlocated(problem: &Problem, segment: &PathSegment, ws: &mut Workspace) -> Result<Located, SolveError> {
+/// A limit point that could not be located: the solution where an interpolant has it, or an end of its step, with the step as the error of both numbers.
+pub(crate) fn unlocated(
+    problem: &Problem,
+    segment: &PathSegment,
+    turn: LimitPointKind,
+    ws: &mut Workspace,
+) -> Result<Located, SolveError> {
     let end = segment.end();
-    let guess = segment.observable(LimitPointKind::Load.pick(), 0.5 * end).turning_point(0.0, end);
+    let guess = segment.observable(turn.pick(), 0.5 * end).turning_point(0.0, end);
     let solution = step_to(problem, &mut segment.clone(), 0.0, guess, ROUGH, ws).unwrap_or_else(|_| segment.first());
     let mut difference = difference_within_step(problem, &solution, ws)?;
     difference.displacement = segment.change().displacement.abs();
     difference.force = difference.force.abs() + segment.change().force.abs();
-    let observables = solution.observables;
-    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat: true, left_out: 0.0, iterations: 3 })
+    let (observables, flat) = (solution.observables, turn == LimitPointKind::Load);
+    Ok(Located { observables, solution, difference, force_curvature: 0.0, flat, left_out: 0.0, iterations: 3 })
 }
 
 /// [`difference_on_more_elements`] where the whole step counts as the error. Of a path that remembers nothing more where there is no solution on these:

@@ -4,5 +4,4 @@ mod looked_over;
 pub(super) mod observed;
 pub(super) mod result;
 mod run;
-pub(super) mod solid_pull;
 pub(super) mod stable_branch;

@@ -37,6 +37,7 @@ fn all_small() -> Vec<(String, SolidSettings)> {
                         modes: true,
                         along: 2.0,
                         through: 2,
+                        across: 2,
                         plane,
                         material,
                         contact: contact.1,

@@ -82,7 +82,7 @@ fn events_are_located_and_stop_a_path() {
     let value = |event: usize, point: &peelkit::study::SolidPoint| match event {
         0 => point.force - 0.2,
         1 => point.displacement - 4.0,
-        2 => whole.length() - point.front - 90.0,
+        2 => whole.body.length() - point.front - 90.0,
         _ => point.end_rotation - 0.1,
     };
     for event in 0..4 {
@@ -97,7 +97,7 @@ fn events_are_located_and_stop_a_path() {
     let stopped = followed(vec![of(Front, Passing::Falling, 90.0, EventAction::Stop)]);
     assert_eq!(stopped.end, SolidPathEnd::Bound(Bound::Event { name: "event".to_owned() }));
     let [.., last] = &stopped.points[..] else { panic!("no points") };
-    assert!((stopped.length() - last.front - 90.0).abs() < 1e-9, "{last:?}");
+    assert!((stopped.body.length() - last.front - 90.0).abs() < 1e-9, "{last:?}");
     assert_eq!(stopped.points.len(), found(2)[0].after + 2);
     for (own, same) in stopped.points.iter().zip(&whole.points).take(stopped.points.len() - 1) {
         assert_eq!((own.displacement, own.force), (same.displacement, same.force));
@@ -110,7 +110,7 @@ fn events_are_located_and_stop_a_path() {
 fn work_is_the_change_of_energy() {
     for contact in [SolidContact::ReferenceTraction, SolidContact::BodyForce] {
         let settings = SolidSettings { contact, grip: SolidGrip::Rigid, ..parabolic("Q1CH", 2.5, 3, false) };
-        let options = SolidOptions { stop: StopCriteria::up_to(3.0), bounded: 0, step: 1e-3 };
+        let options = SolidOptions { stop: StopCriteria::up_to(3.0), bounded: 0, step: Some(1e-3) };
         let found = peel_solid(&model(30.0, 10.0), &settings, &options).unwrap();
         let mut work = 0.0;
         for pair in found.points.windows(2) {

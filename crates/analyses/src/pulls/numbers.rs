@@ -164,6 +164,7 @@ fn of_solid(peel: &SolidPeel) -> PulledCurve {
         SolidPathEnd::Bound(Bound::Until(_)) => None,
         SolidPathEnd::Bound(bound) => Some(bound.to_string()),
         SolidPathEnd::Failed(error) => Some(error.to_string()),
+        SolidPathEnd::NotAtRest(error) => Some(error.to_string()),
         _ => None,
     };
     curve.interrupted = matches!(peel.end, SolidPathEnd::Bound(Bound::Interrupted));

@@ -1,18 +1,18 @@
-//! The peel of the strip of a scene as a solid.
+//! The peel of the body of a scene as a solid.
 
 use super::asked::{self, Asked};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::pulls::solid::peeled;
-use crate::session::Session;
+use crate::pulls::solid::peeled_on;
+use crate::session::{Progress, Session};
 use peelkit::adhesion::HalfSpace;
 use peelkit::model::LongElements;
-use peelkit::study::{SolidPathEnd, SolidPeel, StopCriteria};
-use peelkit_report::{self as report, PassedAt, ReportError, SolidSummary, timed};
-use peelkit_scene::{Scene, SolidTable};
+use peelkit::study::{Checkpoint, SolidPathEnd, SolidPeel, StopCriteria};
+use peelkit_report::{self as report, Journal, JournalKind, PassedAt, ReportError, SolidSummary, timed};
+use peelkit_scene::{BoundsTable, Scene, SolidTable};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The peel of a strip as a solid.
+/// The peel of a body as a solid.
 pub struct SolidRun<'s> {
     scene: &'s Scene,
     table: &'s SolidTable,
@@ -49,37 +49,53 @@ pub struct SolidOutcome {
     pub long: Option<LongElements>,
     /// That the path and its limit points on a finer mesh took
     pub seconds: f64,
+    /// Points that were taken from an earlier, unfinished run
+    pub taken: usize,
     ground: HalfSpace,
     states: Option<u32>,
+    journal: Journal,
     interrupted: bool,
 }
 
 impl Analysis for SolidRun<'_> {
     type Found = SolidOutcome;
 
+    fn journal(&self) -> Option<JournalKind> {
+        Some(JournalKind::RUN)
+    }
+
     fn run(&self, session: &Session) -> Result<SolidOutcome, Refusal> {
-        let Self { scene, table, states } = self;
+        let Self { scene, table, states } = *self;
+        // whatever its bounds, a path has the same points
+        let (bounds, events) = (BoundsTable::default(), Vec::new());
+        let unbound = Scene { bounds, stations: Vec::new(), events, ..scene.clone() };
+        let journal = session.open(JournalKind::RUN, &unbound, &[])?;
+        let taken = journal.entries();
         session.stage("path of the solid");
-        let (peel, seconds) =
-            timed(|| peeled(scene, table, StopCriteria { events: scene.looked_for(), ..session.stop(scene) }));
+        let checkpoint = Checkpoint {
+            taken: &|options| journal.sequence(options),
+            keep: &|options, waypoint| {
+                session.watcher.see(Progress::Point(options, &waypoint));
+                journal.append(options, &waypoint);
+            },
+        };
+        let stop = StopCriteria { events: scene.looked_for(), ..session.stop(scene) };
+        let (peel, seconds) = timed(|| peeled_on(scene, table, stop, &checkpoint));
         let peel = peel.map_err(|error| Refusal::asked(error.to_string(), error.remedy()))?;
         Ok(SolidOutcome {
             peel,
             long: scene.solid_settings(table).long_elements(&scene.model),
             seconds,
             ground: scene.model.adhesion.half_space(),
-            states: *states,
+            states,
+            taken,
+            journal,
             interrupted: session.watcher.asked(),
         })
     }
 }
 
 impl SolidOutcome {
-    /// The gap at rest, nm.
-    pub fn rest_gap(&self) -> f64 {
-        self.ground.equilibrium_gap()
-    }
-
     fn summary<'a>(&'a self, scene: &'a Scene) -> SolidSummary<'a> {
         SolidSummary::new(scene, &self.peel, self.long, self.seconds)
     }
@@ -103,7 +119,7 @@ impl Outcome for SolidOutcome {
             files.extend(report::draw_solid(dir, (peel, &passed), ground, scene)?);
         }
         if let Some(count) = self.states {
-            files.extend(report::write_solid_states(dir, peel, self.rest_gap(), count as usize)?);
+            files.extend(report::write_solid_states(dir, peel, count as usize)?);
         }
         Ok(files)
     }
@@ -111,8 +127,14 @@ impl Outcome for SolidOutcome {
     fn end(&self) -> End {
         match &self.peel.end {
             _ if self.interrupted => End::Interrupted { done: None, short: None },
-            SolidPathEnd::Failed(error) => End::CutShort(error.to_string()),
+            SolidPathEnd::Failed(_) | SolidPathEnd::NotAtRest(_) => {
+                End::CutShort(report::solid_end_reason(&self.peel.end).unwrap_or_default())
+            }
             _ => End::Done,
         }
+    }
+
+    fn kept(&self) -> Option<(&Journal, bool)> {
+        Some((&self.journal, !self.peel.is_unfinished()))
     }
 }

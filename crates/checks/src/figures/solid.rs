@@ -75,7 +75,7 @@ pub(super) fn figure(runner: &Runner<'_>, dir: &Path) -> Result<Figure, ReportEr
             &[
                 Some(along),
                 Some(rows as f64),
-                Some(peel.strip.unknowns() as f64),
+                Some(peel.body.unknowns() as f64),
                 of(|found| found.oscillation[0]),
                 of(|found| found.oscillation[1]),
                 of(|found| found.bias),

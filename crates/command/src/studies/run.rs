@@ -178,6 +178,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
         RunOutcome::Peel(found) => of_peel(&scene, found, wanted),
         RunOutcome::Solid(found) => {
             text_summary::solid::solid(&scene, &found.peel, found.long.as_ref(), found.seconds, wanted)
+                + &text_summary::peel::taken(found.taken)
         }
         RunOutcome::Array(found) => {
             text_summary::array::array(&scene, &found.table, &found.pull, found.seconds, wanted)

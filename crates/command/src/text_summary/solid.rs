@@ -63,9 +63,9 @@ pub fn solid(
         "{} points, {} Newton iterations, {} elements {}, {} unknowns, {:.0} ms",
         peel.points.len(),
         peel.iterations,
-        peel.strip.elements(),
-        peel.strip.element(),
-        peel.strip.unknowns(),
+        peel.body.elements(),
+        peel.body.element(),
+        peel.body.unknowns(),
         1e3 * solve_s
     );
     lines.push(("computational cost", cost));

@@ -51,6 +51,8 @@ const TEMPLATES: &[Template] = templates![
     "patch" "3600 setae on a rigid backing, event by event",
     "lamella" "an elastic band on 60 rows of setae, lifted at its end",
     "toe" "a pad with 12 lamellae",
+    "solid-strip" "a strip as a plane solid with enriched contact elements",
+    "solid-spatula" "a spatula as a solid in space: some minutes",
     "strip-100nm" "the short strip of the examples",
     "strip-soft" "a very flexible strip, which re-adheres",
     "strip-rough" "a strip on wavy ground",

@@ -115,7 +115,7 @@ impl PassedAt {
                 force: point.force,
                 force_error: station.force_error,
                 work: point.work,
-                front: Some(peel.length() - point.front),
+                front: Some(peel.body.adhering_length() - point.front),
                 after: Some(station.after),
                 ..Self::at(looked_for, station.event)
             }

@@ -1,10 +1,11 @@
 //! Which keys a scene may hold, and what is said of the others.
 
 use super::kind::{Key, Kind};
-use super::table::{ADHESION, SETA, SETAE, STRIP, SUBSTRATE};
+use super::table::{ADHESION, PROFILE, SETA, SETAE, SOLID, STRIP, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
+use crate::tables::solid::bodies_with;
 use peelkit::model::{Body, ProfileForm};
 
 /// Why a scene may not hold a key.
@@ -19,6 +20,8 @@ enum Misfit {
     InPlane,
     /// Its substrate has another shape.
     Shape,
+    /// It is computed as a solid, of another body.
+    OfSolid,
     /// Its law of adhesion is another.
     Law,
     /// It follows from the table of the law.
@@ -51,6 +54,13 @@ impl Key {
         }
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
+        }
+        // a profile is no solid, which is said of the whole table
+        if self.table == SOLID.name
+            && body_of(scene) != PROFILE.name
+            && !bodies_with(self.name).contains(&body_of(scene))
+        {
+            return Some(Misfit::OfSolid);
         }
         if follows_from_law(scene, self) {
             return Some(Misfit::Follows("law"));
@@ -140,6 +150,14 @@ impl Key {
                     format!("It belongs to shape \"{shapes}\"; \"{word}\" has {own}."),
                 )
             }
+            Misfit::OfSolid => ValueError::new(
+                format!(
+                    "is a key of [solid] for a {}, and the scene peels a [{}]",
+                    bodies_with(name).join(" or "),
+                    body_of(scene)
+                ),
+                format!("Remove `{name}`."),
+            ),
             Misfit::Law => ValueError::new(
                 format!(
                     "is a key of [adhesion] for `law` = \"table\", and the law is \"{}\"",

@@ -32,7 +32,7 @@ pub struct Scene {
     pub model: PeelModel,
     /// The seta, where the scene has one.
     pub seta: Option<SetaTable>,
-    /// How the strip is computed as a solid, where the scene says so.
+    /// How the body is computed as a solid, where the scene says so.
     pub solid: Option<SolidTable>,
     /// The setae and what they stand on, where the scene has an array of them.
     pub array: Option<ArrayTable>,
@@ -84,7 +84,7 @@ impl TableTexts {
 pub enum Described<'s> {
     /// The peel of a beam, by its equilibria
     Peel,
-    /// The peel of a strip that is computed as a solid, by its equilibria
+    /// The peel of a body that is computed as a solid, by its equilibria
     Solid(&'s SolidTable),
     /// The pull-off of a seta, by its equilibria
     Seta(&'s SetaTable),

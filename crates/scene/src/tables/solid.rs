@@ -1,4 +1,4 @@
-//! A strip as a solid: the table `solid`, and what does not stand beside it.
+//! A solid: the table `solid`, and what does not stand beside it.
 
 use crate::error::{Origin, SceneError, ValueError};
 use crate::key::kind::Setting;
@@ -13,8 +13,22 @@ use std::ops::Range;
 
 /// The table of a scene.
 pub(crate) const TABLE: &str = "solid";
-/// Most rows of elements through the thickness.
+/// Most rows of elements through the thickness, and most across the half width of a spatula.
 pub(crate) const MOST_ROWS: usize = 200;
+pub(crate) const MOST_ACROSS: usize = 16;
+
+/// The key that a spatula alone has, and the one that it has like a strip.
+const OF_SPATULA: &str = "across";
+const OF_BOTH: &str = "along";
+
+/// The bodies that have a key of the table.
+pub(crate) fn bodies_with(key: &str) -> &'static [&'static str] {
+    match key {
+        OF_BOTH => &["strip", "spatula"],
+        OF_SPATULA => &["spatula"],
+        _ => &["strip"],
+    }
+}
 
 pub(crate) const PLANES: &[(&str, Plane)] = &[("stress", Plane::Stress), ("strain", Plane::Strain)];
 pub(crate) const MATERIALS: &[(&str, SolidMaterial)] =
@@ -56,22 +70,22 @@ fn elements() -> Vec<&'static str> {
     NAMES.iter().map(String::as_str).collect()
 }
 
-/// That the strip of a scene is a solid, where a beam is asked for.
+/// That the body of a scene is a solid, where a beam is asked for.
 pub(crate) fn refused(file: &Origin, header: Range<usize>) -> SceneError {
     let problem = ValueError::new(
-        "is a table of a strip that is computed as a solid, which `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone do; here beams are computed",
-        "Give the scene to one of them, or remove [solid] to compute the strip as a beam.",
+        "is a table of a body that is computed as a solid, which `peel run`, `sweep`, `fit`, `optimise` and `uncertainty` alone do; here beams are computed",
+        "Give the scene to one of them, or remove [solid] to compute a beam.",
     );
     file.error(header, &format!("[{TABLE}]"), problem)
 }
 
 impl Scene {
-    /// How the strip is computed as the solid of a table.
+    /// How the body is computed as the solid of a table.
     pub fn solid_settings(&self, table: &SolidTable) -> SolidSettings {
-        let SolidTable { element, modes, along, through, plane, material, contact, grip, grading } = *table;
-        // elements as long as the strip are the longest
+        let SolidTable { element, modes, along, through, across, plane, material, contact, grip, grading } = *table;
+        // elements as long as the body are the longest
         let along = along.unwrap_or_else(|| self.model.process_length().min(self.model.length()));
-        SolidSettings { element, modes, along, through, plane, material, contact, grip, grading }
+        SolidSettings { element, modes, along, through, across, plane, material, contact, grip, grading }
     }
 }
 
@@ -94,13 +108,13 @@ pub(crate) fn problem(scene: &Scene) -> Option<(String, ValueError)> {
     ];
     let found = of_beams.into_iter().find(|(is_given, ..)| *is_given).map(|(_, key, why)| {
         let problem = ValueError::new(
-            format!("is given, and a strip computed as a solid {why}"),
+            format!("is given, and a body computed as a solid {why}"),
             "Remove it, or remove the table [solid].",
         );
         (key.to_owned(), problem)
     });
     found.or_else(|| {
-        let error = scene.solid_settings(table).strip(&scene.model).err()?;
+        let error = scene.solid_settings(table).check(&scene.model).err()?;
         let (key, message) = (error.key(), error.to_string());
         let found = message.strip_prefix(&format!("`{key}` ")).unwrap_or(&message);
         Some((key.to_owned(), ValueError::new(found, error.remedy())))

@@ -85,7 +85,7 @@ impl Poses {
             RunOutcome::Seta(found) => Self::of_seta(found),
             // the places of its roots are not drawn
             RunOutcome::Array(_) => Self { unit: 1.0, ground: Vec::new(), along: Vec::new() },
-            RunOutcome::Solid(found) => Self::of_solid(&found.peel, found.rest_gap()),
+            RunOutcome::Solid(found) => Self::of_solid(&found.peel),
             RunOutcome::Rate(found) => Self::at_rate(&found.pulled),
         }
     }
@@ -136,19 +136,14 @@ impl Poses {
     }
 
     /// The outline of a solid at points of its path.
-    fn of_solid(peel: &SolidPeel, rest_gap: f64) -> Self {
-        let (across, along) = peel.strip.mesh_lines();
-        let end = |lines: &[f64]| lines.last().copied().unwrap_or(0.0);
-        let (length, height) = (end(across), end(along));
-        let corners_of = across.iter().map(|&s| (s, 0.0)).chain(across.iter().rev().map(|&s| (s, height)));
-        let corners_of: Vec<(f64, f64)> = corners_of.collect();
+    fn of_solid(peel: &SolidPeel) -> Self {
+        let (across, along) = peel.body.mesh_lines();
+        let [under, upper] = [along.first(), along.last()].map(|at| at.copied().unwrap_or(0.0));
+        let corners_of = across.iter().map(|&s| [s, under]).chain(across.iter().rev().map(|&s| [s, upper]));
+        let (length, corners_of): (f64, Vec<[f64; 2]>) = (peel.body.length(), corners_of.collect());
         let every = peel.points.len().div_ceil(SOLID_STATES).max(1);
         let outline = |at: &SolidPoint| -> Vec<(f64, f64)> {
-            let moved = |&(s, above): &(f64, f64)| {
-                let [x, y] = peel.strip.displacement_at(at.values(), s, above);
-                (s + x, rest_gap + above + y)
-            };
-            corners_of.iter().map(moved).collect()
+            corners_of.iter().map(|&of| peel.body.place_at(at.values(), of).into()).collect()
         };
         let shown: Vec<_> = peel.points.iter().enumerate().step_by(every).map(|(k, at)| (k, at, outline(at))).collect();
         let [low, high] = corners(shown.iter().flat_map(|(_, _, outline)| outline).copied());

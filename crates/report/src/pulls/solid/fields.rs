@@ -11,32 +11,21 @@ const PARTS: usize = 3;
 
 /// S and heights at which fields are shown: all lines of the mesh, and between those across the strip some more.
 pub(super) fn shown(peel: &SolidPeel) -> [Vec<f64>; 2] {
-    let (across, along) = peel.strip.mesh_lines();
+    let (across, along) = peel.body.mesh_lines();
     let part = |pair: &[f64], k: usize| pair[0] + (pair[1] - pair[0]) * k as f64 / PARTS as f64;
     let places = across.windows(2).flat_map(|pair| (0..PARTS).map(move |k| part(pair, k)));
     [places.chain(across.last().copied()).collect(), along.to_vec()]
-}
-
-/// Where a point of the material is, x and y over the ground, nm.
-pub(super) fn place(peel: &SolidPeel, at: &SolidPoint, rest_gap: f64, [s, height]: [f64; 2]) -> [f64; 2] {
-    let [x, y] = peel.strip.displacement_at(at.values(), s, height);
-    [s + x, rest_gap + height + y]
 }
 
 /// Writes solid.pvd, the list of the states, and states/solid-000.vtu and so on, which it names: at so many points evenly along the path, with
 /// displacement and Cauchy's stress as point data, u and P as field data.
 ///
 /// Fails with [`ReportError::Write`] where a file cannot be written or a number is not finite.
-pub fn write_solid_states(
-    dir: &Path,
-    peel: &SolidPeel,
-    rest_gap: f64,
-    count: usize,
-) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write_solid_states(dir: &Path, peel: &SolidPeel, count: usize) -> Result<Vec<PathBuf>, ReportError> {
     let name = |number: usize| format!("states/solid-{number:03}.vtu");
     let last = peel.points.len().saturating_sub(1);
     let mut chosen: Vec<usize> = (0..count).map(|k| k * last / count.saturating_sub(1).max(1)).collect();
-    chosen.extend(peel.initiation_peak().map(|peak| peak.after));
+    chosen.extend(peel.peak().map(|peak| peak.after));
     chosen.sort_unstable();
     chosen.dedup();
     let list = dir.join("solid.pvd");
@@ -46,7 +35,7 @@ pub fn write_solid_states(
         let Some(at) = peel.points.get(index) else { continue };
         let path = dir.join(name(number));
         let of_state = [("displacement_nm", at.displacement), ("force_nN", at.force), ("path_position", index as f64)];
-        let text = grid(peel, at, rest_gap).of_state(&of_state);
+        let text = grid(peel, at).of_state(&of_state);
         let text = text.map_err(|source| ReportError::Write { path: path.clone(), source })?;
         write_whole(&path, text.as_bytes())?;
         files.push(path);
@@ -54,7 +43,7 @@ pub fn write_solid_states(
     Ok(files)
 }
 
-fn grid(peel: &SolidPeel, at: &SolidPoint, rest_gap: f64) -> Grid {
+fn grid(peel: &SolidPeel, at: &SolidPoint) -> Grid {
     let [places, heights] = shown(peel);
     let all: Vec<[f64; 2]> = places.iter().flat_map(|&s| heights.iter().map(move |&height| [s, height])).collect();
     let rows = heights.len();
@@ -64,17 +53,17 @@ fn grid(peel: &SolidPeel, at: &SolidPoint, rest_gap: f64) -> Grid {
             vec![corner(column - 1, row - 1), corner(column, row - 1), corner(column, row), corner(column - 1, row)]
         })
     });
-    let moved = |&[s, height]: &[f64; 2]| {
-        let [x, y] = peel.strip.displacement_at(at.values(), s, height);
+    let moved = |&of: &[f64; 2]| {
+        let [x, y] = peel.body.displacement_at(at.values(), of);
         [x, y, 0.0]
     };
-    let stresses: Vec<[f64; 3]> = all.iter().map(|&[s, height]| peel.strip.stress_at(at.values(), s, height)).collect();
+    let stresses: Vec<[f64; 3]> = all.iter().map(|&of| peel.body.stress_at(at.values(), of)).collect();
     let stress = |name, component: usize| PointData {
         name,
         components: 1,
         values: stresses.iter().map(|stress| stress[component]).collect(),
     };
-    let points = all.iter().map(|&of| place(peel, at, rest_gap, of)).map(|[x, y]| [x, y, 0.0]).collect();
+    let points = all.iter().map(|&of| peel.body.place_at(at.values(), of)).map(|[x, y]| [x, y, 0.0]).collect();
     let displacement =
         PointData { name: "displacement_nm", components: 3, values: all.iter().flat_map(moved).collect() };
     let data = vec![displacement, stress("stress_xx_GPa", 0), stress("stress_yy_GPa", 1), stress("stress_xy_GPa", 2)];

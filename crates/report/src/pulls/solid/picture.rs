@@ -1,7 +1,7 @@
 //! The pictures of the peel of a solid: force against displacement, and the strip at two points of its path, with its stress as colour and the
 //! traction of the ground below it.
 
-use super::fields::{place, shown};
+use super::fields::shown;
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::marked::{Marked, mark_found};
@@ -13,12 +13,14 @@ use crate::chart::style::{colour, signed_shade};
 use crate::records::passed::PassedAt;
 use crate::writing::error::ReportError;
 use peelkit::adhesion::HalfSpace;
+use peelkit::solid::SolidBody;
 use peelkit::study::{SolidLimitPoint, SolidPeel, SolidPoint};
 use peelkit::units::{LENGTHS, PreferredUnits};
 use std::path::{Path, PathBuf};
 
-/// What is shown of the strip, over its height.
+/// What is shown of a strip, over its height, and of a spatula, over the thickness of its pad.
 const WINDOW: f64 = 4.0;
+const WINDOW_OF_SPATULA: f64 = 12.0;
 /// Height of the panel of the strip over its width: lengths are alike along both axes.
 const ASPECT: f64 = 0.55;
 /// Height of the panel of the traction, and what is between, pixels.
@@ -62,27 +64,33 @@ fn curve(peel: &SolidPeel, passed: &[PassedAt], Heading { title, units }: Headin
 
 /// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
 fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
-    let peak = peel.initiation_peak().and_then(|at| peel.points.get(at.after));
+    let peak = peel.peak().and_then(|at| peel.points.get(at.after));
     let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
     let last = peel.points.last();
-    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the first peak", Some(peak)));
+    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the peak", Some(peak)));
     let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));
     let mut chosen: Vec<_> = [first, second].into_iter().filter_map(|(what, at)| Some((what, at?))).collect();
+    // in the order of the path
+    chosen.sort_by(|a, b| a.1.front.total_cmp(&b.1.front));
     chosen.dedup_by(|a, b| std::ptr::eq(a.1, b.1));
     chosen
 }
 
 fn strip(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading) -> Picture {
     let [places, heights] = shown(peel);
-    let [length, height] = [&places, &heights].map(|lines| lines.last().copied().unwrap_or(1.0));
-    let chosen = chosen(peel, length);
+    let window = match peel.body {
+        SolidBody::Strip(_) => WINDOW,
+        SolidBody::Spatula(_) => WINDOW_OF_SPATULA,
+    };
+    let width = window * peel.body.thickness();
+    let chosen = chosen(peel, peel.body.adhering_length());
     let mut panels = Vec::new();
     for (column, (what, at)) in chosen.iter().enumerate() {
         let of_column = Frame::column(column, 2);
         let frame =
             Frame { top: of_column.top + 18.0, bottom: of_column.top + 18.0 + ASPECT * of_column.width(), ..of_column };
         let below = Frame { top: frame.bottom + BETWEEN, bottom: frame.bottom + BETWEEN + TRACTION, ..of_column };
-        panels.extend(state(peel, ground, (what, at), [&places, &heights], [frame, below], (WINDOW * height, units)));
+        panels.extend(state(peel, ground, (what, at), [&places, &heights], [frame, below], (width, units)));
     }
     Picture::of(title, panels).in_units(units)
 }
@@ -96,9 +104,9 @@ fn state(
     [frame, below]: [Frame; 2],
     (width, units): (f64, PreferredUnits),
 ) -> [Panel; 2] {
-    let gap = ground.equilibrium_gap();
-    let of = |s: f64, height: f64| place(peel, at, gap, [s, height]).into();
-    let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, 0.0)).collect();
+    let of = |s: f64, height: f64| peel.body.place_at(at.values(), [s, height]).into();
+    let underside = heights.first().copied().unwrap_or(0.0);
+    let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, underside)).collect();
     let traction: Vec<(f64, f64)> = face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(y))).collect();
     // downwards on the strip: where the ground holds it most
     let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
@@ -110,7 +118,7 @@ fn state(
     let mut largest: f64 = 0.0;
     for pair in places.windows(2) {
         for row in heights.windows(2) {
-            let stress = peel.strip.stress_at(at.values(), 0.5 * (pair[0] + pair[1]), 0.5 * (row[0] + row[1]))[1];
+            let stress = peel.body.stress_at(at.values(), [0.5 * (pair[0] + pair[1]), 0.5 * (row[0] + row[1])])[1];
             let corners = vec![of(pair[0], row[0]), of(pair[1], row[0]), of(pair[1], row[1]), of(pair[0], row[1])];
             if corners.iter().all(|&(x, _): &(f64, f64)| x >= from && x <= from + width) {
                 largest = largest.max(stress.abs());
@@ -127,7 +135,7 @@ fn state(
     body.shapes = shapes.collect();
     let u = with_unit(units.fitting(LENGTHS, at.displacement.abs()), at.displacement, 3);
     body.title = format!("{what}: u = {u}; σyy ±{} GPa", significant(largest, 2));
-    let (across, along) = peel.strip.mesh_lines();
+    let (across, along) = peel.body.mesh_lines();
     let thin = || Stroke::solid(colour::GREY, 0.5);
     let lines_across = across.iter().map(|&s| heights.iter().map(|&height| of(s, height)).collect());
     let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).collect());

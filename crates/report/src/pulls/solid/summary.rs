@@ -33,9 +33,9 @@ impl Record for SolidFound<'_> {
         of.field("warnings", "what is not to be trusted", |found| solid_warnings(found.peel, found.long.as_ref()));
         of.field("left_out", "limit points, stations and events that were not located, and changes of inertia that none explains, in words", |found| found.peel.left_out.iter().map(|what| left_out(what, &found.scene.looked_for())).collect::<Vec<_>>());
         of.group("mesh", "the mesh of the scene, which stays", |of| {
-            of.field("element", "its element", |found| found.peel.strip.element().to_string());
-            of.field("elements", "how many", |found| found.peel.strip.elements());
-            of.field("unknowns", "unknowns of the strip in its grip", |found| found.peel.strip.unknowns());
+            of.field("element", "its element", |found| found.peel.body.element());
+            of.field("elements", "how many", |found| found.peel.body.elements());
+            of.field("unknowns", "unknowns of the body in its grip", |found| found.peel.body.unknowns());
         });
         of.group("path", "computational cost", |of| {
             of.field("points", "points of the path", |found| found.peel.points.len());
@@ -76,7 +76,7 @@ pub fn solid_end_word(end: &SolidPathEnd) -> &'static str {
         SolidPathEnd::TurnedBack => "turned-back",
         SolidPathEnd::Bound(Bound::Event { .. }) => "event",
         SolidPathEnd::Bound(_) => "bound",
-        SolidPathEnd::Failed(_) => "failed",
+        SolidPathEnd::Failed(_) | SolidPathEnd::NotAtRest(_) => "failed",
     }
 }
 
@@ -85,6 +85,7 @@ pub fn solid_end_reason(end: &SolidPathEnd) -> Option<String> {
     match end {
         SolidPathEnd::Bound(bound) => Some(bound.to_string()),
         SolidPathEnd::Failed(error) => Some(error.to_string()),
+        SolidPathEnd::NotAtRest(error) => Some(format!("the spatula does not come to rest in its grip: {error}")),
         SolidPathEnd::Detached | SolidPathEnd::Pivoting | SolidPathEnd::TurnedBack => None,
     }
 }

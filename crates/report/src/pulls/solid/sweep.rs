@@ -58,10 +58,10 @@ impl From<&SolidPeel> for SolidResult {
             first_jump: peel.snap_off().map(SolidTurn::from),
             end: solid_end_word(&peel.end).to_owned(),
             reason: solid_end_reason(&peel.end),
-            has_failed: matches!(peel.end, SolidPathEnd::Failed(_)),
+            has_failed: matches!(peel.end, SolidPathEnd::Failed(_) | SolidPathEnd::NotAtRest(_)),
             points: peel.points.len(),
             newton_iterations: peel.iterations,
-            unknowns: peel.strip.unknowns(),
+            unknowns: peel.body.unknowns(),
         }
     }
 }
