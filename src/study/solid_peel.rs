@@ -322,7 +322,14 @@ impl Traced {
                 break SolidPathEnd::Bound(bound);
             }
             let turned = found.iter().any(|(kind, _, _)| *kind == LimitPointKind::Displacement);
-            let solution = match tracer.advance() {
+            let event = tracer.advance();
+            for waypoint in tracer.new_waypoints() {
+                match known.checked_sub(1) {
+                    Some(left) => known = left,
+                    None => (checkpoint.keep)(&how, waypoint),
+                }
+            }
+            let solution = match event {
                 Ok(PathEvent::Point(solution)) => solution,
                 Ok(PathEvent::LimitPoint { kind, after, located }) => {
                     found.push((kind, after, located));
@@ -349,11 +356,6 @@ impl Traced {
             let point = SolidPoint::new(body, &solution, *at_rest.get_or_insert(solution.energy));
             let (displacement, force) = (point.displacement, point.force);
             points.push(point);
-            if known > 0 {
-                known -= 1;
-            } else if let Some(waypoint) = tracer.path().waypoint() {
-                (checkpoint.keep)(&how, waypoint);
-            }
             if points.len() == 1 {
                 continue;
             }

@@ -70,7 +70,7 @@ pub const ROWS: [Row; 14] = [
     Row {
         name: "a strip as a solid",
         scene: include_str!("../../scenes/solid-strip.toml"),
-        command: &["run", "--set", "bounds.displacement=10 nm", "--set", "solid.along=2.5 nm"],
+        command: &["run", "--set", "bounds.displacement=10 nm", "--set", "accuracy.step=1e-4"],
         partial: "run.partial",
         results: 10,
         counts: true,

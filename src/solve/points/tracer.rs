@@ -11,7 +11,7 @@ use super::search::LimitPointKind;
 use crate::solve::error::SolveError;
 use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
-use crate::solve::path::options::{PathError, PathOptions};
+use crate::solve::path::options::{PathError, PathOptions, Waypoint};
 use crate::solve::path::segment::PathSegment;
 use crate::solve::problem::Problem;
 use crate::solve::workspace::Workspace;
@@ -92,18 +92,31 @@ pub struct PathTracer<'p> {
     iterations: usize,
     /// Whether the path could not be continued beyond a limit point; reported after its last point.
     broken: Option<PathError>,
+    /// What the path has learnt at its newest points, those that [`PathTracer::new_waypoints`] has not given yet
+    waypoints: Vec<Waypoint>,
 }
 
 impl<'p> PathTracer<'p> {
     /// Of a path from where it is; its first point is the first event.
     pub fn new(problem: &'p Problem, path: Path<'p>, options: TraceOptions) -> Self {
         let (events, ws) = (VecDeque::new(), Workspace::default());
-        Self { problem, path, options, looked: 0, events, ws, iterations: 0, broken: None }
+        Self { problem, path, options, looked: 0, events, ws, iterations: 0, broken: None, waypoints: Vec::new() }
     }
 
     /// The path, with the points so far; there may be a few behind the last event.
     pub fn path(&self) -> &Path<'p> {
         &self.path
+    }
+
+    /// The points that the path has come to since it was asked last, for one that is to go on from there.
+    pub fn new_waypoints(&mut self) -> Vec<Waypoint> {
+        std::mem::take(&mut self.waypoints)
+    }
+
+    fn step(&mut self) -> Result<Arc<Solution>, PathError> {
+        let point = self.path.advance()?;
+        self.waypoints.extend(self.path.waypoint());
+        Ok(point)
     }
 
     /// Newton iterations on the path and to its limit points.
@@ -119,7 +132,7 @@ impl<'p> PathTracer<'p> {
             }
             let after = self.looked;
             if self.path.points().is_empty() {
-                let first = self.path.advance()?;
+                let first = self.step()?;
                 self.events.push_back(PathEvent::Point(first));
                 continue;
             }
@@ -138,7 +151,7 @@ impl<'p> PathTracer<'p> {
     fn proceed(&mut self) -> Result<(), PathError> {
         match self.broken.take() {
             Some(error) => Err(error),
-            None => self.path.advance().map(drop),
+            None => self.step().map(drop),
         }
     }
 
@@ -180,7 +193,7 @@ impl<'p> PathTracer<'p> {
     /// Computes the points beyond a limit point that are missing; whether there are any.
     fn wait_behind(&mut self, second: usize) -> bool {
         while self.broken.is_none() && self.path.points().len() <= second + self.options.behind {
-            self.broken = self.path.advance().err();
+            self.broken = self.step().err();
         }
         self.path.points().len() > second + 1
     }

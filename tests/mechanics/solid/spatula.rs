@@ -11,7 +11,7 @@
 //!
 //! Parameters: the default spatula on a coarse mesh; a spatula a quarter as long, on stations of 2 nm.
 //!
-//! Expected: the first peak of the small spatula is within its bound and 1 % of that of the beam, whose sections stay plane. Why: the two share no line
+//! Expected: the first peak of the small spatula is within 1 % of that of the beam, whose sections stay plane, and known to 0.4 %. Why: the two share no line
 //! that computes a force, and the beam is known to eight digits.
 
 use approx::assert_relative_eq;
@@ -139,7 +139,9 @@ fn the_first_peak_is_that_of_a_beam() {
     let peel_of_solid = up_to(&model, &settings, 14.9);
     let peak = peel_of_solid.peak().unwrap();
     let errors = peak.errors.unwrap();
-    let beam = peel(&model, &Accuracy::to(1e-6), &StopCriteria::up_to(16.0));
+    let mut of_beam = model.clone();
+    of_beam.adhesion.far_face = true;
+    let beam = peel(&of_beam, &Accuracy::to(1e-6), &StopCriteria::up_to(16.0));
     let expected = beam.peak.unwrap().force;
     assert_relative_eq!(peak.force, expected, max_relative = 1e-2);
     assert!(errors.force < 4e-3 * peak.force, "{errors:?}");
@@ -156,8 +158,8 @@ fn the_first_peak_is_that_of_a_beam() {
     let last = &points[(points.len() - 1) / 2 * 2];
     assert_relative_eq!(last.work.unwrap(), work, max_relative = 1e-4);
     assert!(points.iter().all(|point| point.negative == Some(0)));
-    assert!((15..=45).contains(&points.len()), "{} points", points.len());
-    assert!(peel_of_solid.iterations < 250, "{} iterations", peel_of_solid.iterations);
+    let effort = (points.len(), peel_of_solid.iterations);
+    assert!(effort.0 < 45 && effort.1 < 250, "{effort:?}");
 }
 
 /// Stress in the plane of symmetry: none at the upper face of the free end, and that of a stretched bar in the shaft, P sin of its angle over its area

@@ -187,7 +187,7 @@ fn what_a_solid_does_not_have_is_refused() {
     let traction = SolidSettings { grip: SolidGrip::Parabolic, ..good };
     assert_eq!(refused(&traction, &|m| m.grip.rotation = Hold::Fixed), "solid.grip");
     let spatula = peelkit::model::Body::Spatula(Default::default());
-    assert_eq!(model(&|m| m.body = spatula.clone()), "spatula");
+    assert_eq!(model(&|m| m.body = spatula.clone()), "grip.rotation");
     let held = SolidSettings { grip: SolidGrip::Rigid, ..good }.strip(&super::model(100.0, 10.0));
     assert!(!matches!(held, Err(SolidError::TractionHolds { .. })));
     let long = SolidSettings { along: 4.0, ..good }.long_elements(&super::model(100.0, 10.0)).unwrap();

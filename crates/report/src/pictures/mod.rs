@@ -7,7 +7,7 @@ pub(crate) mod observed;
 pub(crate) mod optimisation;
 pub mod peel;
 pub(crate) mod sensitivities;
-mod shapes;
+pub(crate) mod shapes;
 pub(crate) mod steps;
 pub mod sweep;
 pub(crate) mod swept;

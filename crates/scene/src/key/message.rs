@@ -52,6 +52,7 @@ impl Key {
             (_, Kind::Word(choice)) => choice.example,
             ("rows" | "columns", _) => "60",
             ("lamellae", _) => "12",
+            ("across", _) => "2",
             ("pulled_at" | "joined_at", _) => "30",
             ("pitch", _) => "\"10 um\"",
             ("lamella_pitch", _) => "\"500 um\"",

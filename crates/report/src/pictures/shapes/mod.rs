@@ -1,5 +1,5 @@
 //! Deformed shapes: of beams in the plane, and of beams in space as they are seen.
 
 pub(super) mod in_space;
-pub(super) mod posed;
+pub(crate) mod posed;
 mod projection;

@@ -14,7 +14,7 @@ use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
 #[derive(Clone, Debug)]
-pub(in crate::pictures) struct Posed {
+pub(crate) struct Posed {
     /// The number that the curve picture gives the same point.
     pub number: usize,
     /// nm
@@ -33,7 +33,7 @@ const HIGHEST: f64 = 560.0;
 const LOWEST: f64 = 0.4;
 
 /// The beam at all those points, the axes of equal scale.
-pub(in crate::pictures) fn shapes_picture(poses: &[Posed], ground: &Substrate, heading: Heading) -> Picture {
+pub(crate) fn shapes_picture(poses: &[Posed], ground: &Substrate, heading: Heading) -> Picture {
     let Heading { title, units } = heading;
     let outlines: Vec<Vec<(f64, f64)>> = poses.iter().map(|p| outline(&p.axis, p.thickness)).collect();
     let all = || outlines.iter().flatten().filter(|p| p.0.is_finite() && p.1.is_finite());

@@ -2,6 +2,7 @@
 
 pub(crate) mod fields;
 pub(crate) mod picture;
+mod shapes;
 pub(crate) mod summary;
 pub(crate) mod sweep;
 pub(crate) mod tables;

@@ -1,7 +1,8 @@
-//! The pictures of the peel of a solid: force against displacement, and the strip at two points of its path, with its stress as colour and the
+//! The pictures of the peel of a solid: force against displacement, and its front at two points of its path, with its stress as colour and the
 //! traction of the ground below it.
 
 use super::fields::shown;
+use super::shapes::shapes;
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
 use crate::chart::marked::{Marked, mark_found};
@@ -27,7 +28,7 @@ const ASPECT: f64 = 0.55;
 const TRACTION: f64 = 130.0;
 const BETWEEN: f64 = 40.0;
 
-/// Draws `curve` and `solid` into `dir`, as SVG and PNG; the latter of the strip by its ground.
+/// Draws `curve`, `shapes` and `solid` into `dir`, as SVG and PNG; the latter of its front by the ground.
 ///
 /// Fails where there are fewer than two points ([`ReportError::Draw`]), or a file cannot be written ([`ReportError::Write`]).
 pub fn draw_solid<'h>(
@@ -41,7 +42,12 @@ pub fn draw_solid<'h>(
         return Err(ReportError::Draw { path: dir.join("curve.svg"), reason });
     }
     let heading = heading.into();
-    save_all(&[(curve(peel, passed, heading), "curve"), (strip(peel, ground, heading), "solid")], dir)
+    let pictures = [
+        (curve(peel, passed, heading), "curve"),
+        (shapes(peel, heading), "shapes"),
+        (front(peel, ground, heading), "solid"),
+    ];
+    save_all(&pictures, dir)
 }
 
 fn curve(peel: &SolidPeel, passed: &[PassedAt], Heading { title, units }: Heading) -> Picture {
@@ -63,7 +69,7 @@ fn curve(peel: &SolidPeel, passed: &[PassedAt], Heading { title, units }: Headin
 }
 
 /// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
-fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
+pub(super) fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
     let peak = peel.peak().and_then(|at| peel.points.get(at.after));
     let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
     let last = peel.points.last();
@@ -76,7 +82,7 @@ fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
     chosen
 }
 
-fn strip(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading) -> Picture {
+fn front(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading) -> Picture {
     let [places, heights] = shown(peel);
     let window = match peel.body {
         SolidBody::Strip(_) => WINDOW,
@@ -114,13 +120,14 @@ fn state(
     let from = (strongest - 0.5 * width).min(right - 0.9 * width);
     let [x, y] =
         [Axis::linear("(nm)", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
+    let inside = |&(x, y): &(f64, f64)| x >= from && x <= from + width && y <= (ASPECT - 0.05) * width;
     let mut shapes = Vec::new();
     let mut largest: f64 = 0.0;
     for pair in places.windows(2) {
         for row in heights.windows(2) {
             let stress = peel.body.stress_at(at.values(), [0.5 * (pair[0] + pair[1]), 0.5 * (row[0] + row[1])])[1];
             let corners = vec![of(pair[0], row[0]), of(pair[1], row[0]), of(pair[1], row[1]), of(pair[0], row[1])];
-            if corners.iter().all(|&(x, _): &(f64, f64)| x >= from && x <= from + width) {
+            if corners.iter().all(inside) {
                 largest = largest.max(stress.abs());
                 shapes.push((corners, stress));
             }
@@ -137,9 +144,10 @@ fn state(
     body.title = format!("{what}: u = {u}; σyy ±{} GPa", significant(largest, 2));
     let (across, along) = peel.body.mesh_lines();
     let thin = || Stroke::solid(colour::GREY, 0.5);
-    let lines_across = across.iter().map(|&s| heights.iter().map(|&height| of(s, height)).collect());
-    let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).collect());
-    body.lines = lines_across.chain(lines_along).map(|points| Line::plain(points, thin())).collect();
+    let lines_across = across.iter().map(|&s| heights.iter().map(|&height| of(s, height)).collect::<Vec<_>>());
+    let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).filter(inside).collect());
+    let lines = lines_across.filter(|points| points.iter().all(inside)).chain(lines_along);
+    body.lines = lines.map(|points| Line::plain(points, thin())).collect();
     body.lines.push(Line::plain(vec![(from, 0.0), (from + width, 0.0)], Stroke::solid(colour::INK, 2.0)));
     let shown = traction.iter().filter(|at| at.0 >= from && at.0 <= from + width).map(|at| at.1);
     let y = Axis::around("T (MPa)", shown.chain([0.0]), false);

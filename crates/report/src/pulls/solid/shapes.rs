@@ -1,0 +1,39 @@
+//! The whole solid from the side at some points of its path, as a beam is shown.
+
+use super::picture::chosen;
+use crate::chart::picture::{Heading, Picture};
+use crate::pictures::shapes::posed::{Posed, shapes_picture};
+use peelkit::adhesion::Substrate;
+use peelkit::study::{DeformedShape, SolidPeel, SolidPoint};
+
+/// At rest, where half of it is off, at its peak, and at the end, as far as the path comes.
+pub(super) fn shapes(peel: &SolidPeel, heading: Heading) -> Picture {
+    let (first, last) = (peel.points.first(), peel.points.last());
+    let between = chosen(peel, peel.body.adhering_length()).into_iter().map(|(_, at)| at);
+    let mut shown: Vec<&SolidPoint> = first.into_iter().chain(between).chain(last).collect();
+    shown.dedup_by(|a, b| std::ptr::eq(*a, *b));
+    let pose = |(k, at): (usize, &&SolidPoint)| Posed {
+        number: k + 1,
+        displacement: at.displacement,
+        force: at.force,
+        axis: axis(peel, at),
+        thickness: 1.0,
+    };
+    shapes_picture(&shown.iter().enumerate().map(pose).collect::<Vec<_>>(), &Substrate::default(), heading)
+}
+
+/// The middle of its thickness, with what is above and below it: a spatula is shown in its plane of symmetry.
+fn axis(peel: &SolidPeel, at: &SolidPoint) -> DeformedShape {
+    let (places, through) = peel.body.mesh_lines();
+    let ends = [through.first(), through.last()].map(|end| end.copied().unwrap_or(0.0));
+    let mut shape =
+        DeformedShape { x: Vec::new(), y: Vec::new(), z: Vec::new(), rotation: Vec::new(), height: Vec::new() };
+    for &s in places {
+        let [[x0, y0], [x1, y1]] = ends.map(|end| peel.body.place_at(at.values(), [s, end]));
+        shape.x.push(0.5 * (x0 + x1));
+        shape.y.push(0.5 * (y0 + y1));
+        shape.rotation.push((x0 - x1).atan2(y1 - y0));
+        shape.height.push((x1 - x0).hypot(y1 - y0));
+    }
+    shape
+}
