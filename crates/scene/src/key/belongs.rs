@@ -2,10 +2,9 @@
 
 use super::kind::{Key, Kind};
 use super::table::{ADHESION, PROFILE, SETA, SETAE, SOLID, STRIP, SUBSTRATE};
-use crate::body::{BODIES, body_of, shape_has, shapes_with};
+use crate::body::{BODIES, body_of, shape_has, shapes_with, solids_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
-use crate::tables::solid::bodies_with;
 use peelkit::model::{Body, ProfileForm};
 
 /// Why a scene may not hold a key.
@@ -58,7 +57,7 @@ impl Key {
         // a profile is no solid, which is said of the whole table
         if self.table == SOLID.name
             && body_of(scene) != PROFILE.name
-            && !bodies_with(self.name).contains(&body_of(scene))
+            && !solids_with(self.name).contains(&body_of(scene))
         {
             return Some(Misfit::OfSolid);
         }
@@ -153,7 +152,7 @@ impl Key {
             Misfit::OfSolid => ValueError::new(
                 format!(
                     "is a key of [solid] for a {}, and the scene peels a [{}]",
-                    bodies_with(name).join(" or "),
+                    solids_with(name).join(" or "),
                     body_of(scene)
                 ),
                 format!("Remove `{name}`."),

@@ -17,19 +17,6 @@ pub(crate) const TABLE: &str = "solid";
 pub(crate) const MOST_ROWS: usize = 200;
 pub(crate) const MOST_ACROSS: usize = 16;
 
-/// The key that a spatula alone has, and the one that it has like a strip.
-const OF_SPATULA: &str = "across";
-const OF_BOTH: &str = "along";
-
-/// The bodies that have a key of the table.
-pub(crate) fn bodies_with(key: &str) -> &'static [&'static str] {
-    match key {
-        OF_BOTH => &["strip", "spatula"],
-        OF_SPATULA => &["spatula"],
-        _ => &["strip"],
-    }
-}
-
 pub(crate) const PLANES: &[(&str, Plane)] = &[("stress", Plane::Stress), ("strain", Plane::Strain)];
 pub(crate) const MATERIALS: &[(&str, SolidMaterial)] =
     &[("neo-hookean", SolidMaterial::NeoHookean), ("st-venant-kirchhoff", SolidMaterial::StVenantKirchhoff)];

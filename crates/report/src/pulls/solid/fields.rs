@@ -17,6 +17,20 @@ pub(super) fn shown(peel: &SolidPeel) -> [Vec<f64>; 2] {
     [places.chain(across.last().copied()).collect(), along.to_vec()]
 }
 
+/// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
+pub(super) fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
+    let peak = peel.peak().and_then(|at| peel.points.get(at.after));
+    let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
+    let last = peel.points.last();
+    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the peak", Some(peak)));
+    let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));
+    let mut chosen: Vec<_> = [first, second].into_iter().filter_map(|(what, at)| Some((what, at?))).collect();
+    // in the order of the path
+    chosen.sort_by(|a, b| a.1.front.total_cmp(&b.1.front));
+    chosen.dedup_by(|a, b| std::ptr::eq(a.1, b.1));
+    chosen
+}
+
 /// Writes solid.pvd, the list of the states, and states/solid-000.vtu and so on, which it names: at so many points evenly along the path, with
 /// displacement and Cauchy's stress as point data, u and P as field data.
 ///

@@ -1,7 +1,7 @@
 //! The pictures of the peel of a solid: force against displacement, and its front at two points of its path, with its stress as colour and the
 //! traction of the ground below it.
 
-use super::fields::shown;
+use super::fields::{chosen, shown};
 use super::shapes::shapes;
 use crate::chart::axis::{Axis, significant, with_unit};
 use crate::chart::canvas::Stroke;
@@ -66,20 +66,6 @@ fn curve(peel: &SolidPeel, passed: &[PassedAt], Heading { title, units }: Headin
     let mut panels = vec![panel];
     mark_found(&mut panels, &passed.iter().map(PassedAt::marked).collect::<Vec<Marked>>());
     Picture::of(title, panels).in_units(units)
-}
-
-/// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
-pub(super) fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
-    let peak = peel.peak().and_then(|at| peel.points.get(at.after));
-    let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
-    let last = peel.points.last();
-    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the peak", Some(peak)));
-    let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));
-    let mut chosen: Vec<_> = [first, second].into_iter().filter_map(|(what, at)| Some((what, at?))).collect();
-    // in the order of the path
-    chosen.sort_by(|a, b| a.1.front.total_cmp(&b.1.front));
-    chosen.dedup_by(|a, b| std::ptr::eq(a.1, b.1));
-    chosen
 }
 
 fn front(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading) -> Picture {
