@@ -68,7 +68,7 @@ pub struct SolidPoint {
 }
 
 impl SolidPoint {
-    /// Its unknowns, for the fields of [`SolidStrip`].
+    /// Its unknowns, for the fields of a [`SolidBody`].
     pub fn values(&self) -> &[f64] {
         &self.solution.at.values
     }
