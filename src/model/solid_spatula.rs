@@ -107,7 +107,7 @@ impl SolidSpatulaSettings {
     /// model.grip.rotation = Hold::Fixed;
     /// model.adhesion.far_face = false;
     /// let spatula = SolidSpatulaSettings::default().spatula(&model)?;
-    /// assert_eq!((spatula.elements(), spatula.unknowns()), (348, 14659));
+    /// assert_eq!((spatula.elements(), spatula.unknowns()), (316, 13315));
     /// let error = SolidSpatulaSettings { across: 0, ..Default::default() }.spatula(&model).unwrap_err();
     /// assert_eq!(error.key(), "solid.across");
     /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
