@@ -248,7 +248,8 @@ pub fn peel_solid_on(
     let body = settings.body(model)?;
     let problem = body.problem();
     let (traced, points) = Traced::follow(&body, &problem, options, checkpoint);
-    let finer = (options.bounded > 0 && !traced.found.is_empty()).then(|| Finer::new(&body));
+    let is_asked = !(traced.found.is_empty() && options.stop.events.is_empty());
+    let finer = (options.bounded > 0 && is_asked).then(|| Finer::new(&body));
     let bounded = |index: usize| finer.as_ref().filter(|_| index < options.bounded);
     let solutions = &traced.solutions;
     let limit_points = traced.found.iter().enumerate().map(|(index, (kind, after, located))| {
