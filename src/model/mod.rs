@@ -38,5 +38,5 @@ pub use seta::spatulae::SetaOfBeams;
 pub use seta::tip_law::{TipBranch, TipLaw};
 pub use seta::whole_tree::{SetaJoint, SetaTree, SetaTreeError};
 pub use solid::{LongElements, SolidError, SolidSettings};
-pub use solid_spatula::{SolidSpatulaError, SolidSpatulaSettings};
+pub use solid_spatula::{MOST_ACROSS, SolidSpatulaError, SolidSpatulaSettings};
 pub use step::{Moved, Step, StepError, angle_text};

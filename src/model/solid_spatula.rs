@@ -63,8 +63,9 @@ pub enum SolidSpatulaError {
     NotOfSolid { key: &'static str, why: &'static str },
 }
 
-/// Most elements across the half width, and most stations.
-const MOST_ACROSS: usize = 16;
+/// Most elements across the half width.
+pub const MOST_ACROSS: usize = 16;
+/// Most stations.
 const MOST_STATIONS: usize = 20_000;
 /// Distances of stations behind the bend over those in it.
 const BEHIND_BEND: f64 = 2.0;

@@ -67,6 +67,12 @@ impl SolidBody {
         }
     }
 
+    /// Where its underside and its upper face lie through the thickness, as of [`SolidBody::mesh_lines`].
+    pub fn faces(&self) -> [f64; 2] {
+        let (_, through) = self.mesh_lines();
+        [through.first(), through.last()].map(|face| face.copied().unwrap_or(0.0))
+    }
+
     /// Its length along S, nm.
     pub fn length(&self) -> f64 {
         self.mesh_lines().0.last().copied().unwrap_or(0.0)
@@ -75,7 +81,7 @@ impl SolidBody {
     /// Thickness of the free end, nm.
     pub fn thickness(&self) -> f64 {
         match self {
-            Self::Strip(strip) => strip.mesh_lines().1.last().copied().unwrap_or(0.0),
+            Self::Strip(_) => self.faces()[1],
             Self::Spatula(spatula) => spatula.thickness(),
         }
     }
@@ -149,9 +155,8 @@ impl SolidBody {
 
     /// The gap of the free end, nm.
     pub(crate) fn free_end_gap(&self, values: &[f64]) -> f64 {
-        let (_, through) = self.mesh_lines();
-        let ends = [through.first(), through.last()].map(|at| self.place_at(values, [0.0, at.copied().unwrap_or(0.0)]));
-        ends[0][1].min(ends[1][1])
+        let [under, upper] = self.faces().map(|face| self.place_at(values, [0.0, face])[1]);
+        under.min(upper)
     }
 
     /// Rotation of the end face, rad.

@@ -11,6 +11,11 @@
 
 use crate::adhesion::levels::half_space::HalfSpace;
 
+/// The gap over which a change of it counts, beside itself, over r0.
+pub(super) const GAP_SCALE: f64 = 0.05;
+/// No point of the contact face nearer to the ground: detached, over r0.
+pub(super) const DETACHED: f64 = 10.0;
+
 /// What the half space acts on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SolidContact {

@@ -54,10 +54,6 @@ impl StripMesh {
 
     /// The same with every column and every row cut in two.
     pub(crate) fn halved(&self) -> Self {
-        let halved = |cuts: &[f64]| -> Vec<f64> {
-            let pairs = cuts.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
-            pairs.chain(cuts.last().copied()).collect()
-        };
         Self { lines: halved(&self.lines), heights: halved(&self.heights) }
     }
 
@@ -92,6 +88,12 @@ impl StripMesh {
         let width = cuts[index + 1] - cuts[index];
         (index, (2.0 * (place - cuts[index]) / width - 1.0).clamp(-1.0, 1.0))
     }
+}
+
+/// Ascending cuts with one more in the middle of each pair.
+pub(super) fn halved(cuts: &[f64]) -> Vec<f64> {
+    let pairs = cuts.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]);
+    pairs.chain(cuts.last().copied()).collect()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! equilibrium with a traction, and nearly so with a body force. x of the lower left corner is held; no force is needed for that.
 
 use super::basis::{MOST_SOLID_ORDER, SolidElement};
-use super::contact::{ContactResponse, SolidContact};
+use super::contact::{ContactResponse, DETACHED, GAP_SCALE, SolidContact};
 use super::grip::{GripMap, SolidGrip};
 use super::material::{Elastic, Plane, SolidMaterial};
 use super::mesh::{Grading, StripMesh};
@@ -50,10 +50,6 @@ pub struct SolidStrip {
 /// Points along the face of an element beyond those of its order, and one more for so much length over r0.
 const FACE_POINTS: f64 = 4.0;
 const A_FACE_POINT: f64 = 2.5;
-/// The gap over which a change of it counts, beside itself, over r0.
-const GAP_SCALE: f64 = 0.05;
-/// No point of the contact face nearer to the ground: detached, over r0.
-const DETACHED: f64 = 10.0;
 
 /// What one element adds: filled anew for each.
 #[derive(Default)]

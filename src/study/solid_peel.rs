@@ -184,6 +184,13 @@ pub enum SolidLeftOut {
     },
 }
 
+impl SolidPathEnd {
+    /// Whether the computation stopped short.
+    pub fn has_failed(&self) -> bool {
+        matches!(self, Self::Failed(_) | Self::NotAtRest(_))
+    }
+}
+
 impl SolidPeel {
     /// Whether its path was stopped on the way, by time or by who watches it: more of it may be computed.
     pub fn is_unfinished(&self) -> bool {

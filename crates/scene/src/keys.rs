@@ -12,7 +12,7 @@ use crate::key::table::{
 use crate::scene::Scene;
 use crate::scene::array::{ArrayTable, LOADS, LamellaTable, PatchTable, ToeTable};
 use crate::tables::setae::{array, branching, seta};
-use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ACROSS, MOST_ROWS, PLANES};
+use crate::tables::solid::{CONTACTS, GRADINGS, GRIPS, MATERIALS, MOST_ROWS, PLANES};
 use crate::tables::{curves, fit, layers, optimise, output, rate, solid, uncertainty};
 use crate::value::quantity::{
     Dimension, Dimension::Angle, Dimension::AnglePerLength, Dimension::Density, Dimension::Energy, Dimension::Force,
@@ -21,7 +21,7 @@ use crate::value::quantity::{
 };
 use crate::value::{Value, show};
 use peelkit::adhesion::OpeningRate;
-use peelkit::model::{Discretisation, MODEL_NUMBERS, MOST_FORKS, Range, angle_text};
+use peelkit::model::{Discretisation, MODEL_NUMBERS, MOST_ACROSS, MOST_FORKS, Range, angle_text};
 use peelkit::study::ACCURACY_NUMBERS;
 use peelkit::study::coarsening::CoarseningOptions;
 

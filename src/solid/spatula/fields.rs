@@ -4,14 +4,8 @@ use super::element::{Element, ElementPlace, quadratic};
 use super::layout::{ACROSS, ALONG, ELEMENT, FUNCTIONS, THROUGH};
 use super::material::Vector;
 use super::solid_spatula::SolidSpatula;
+use crate::solid::mesh::StripMesh;
 use crate::solve::state::State;
-
-/// Where a value lies between ascending ends: the interval, and from -1 to 1 in it.
-fn located(ends: &[f64], value: f64) -> (usize, f64) {
-    let interval = ends.partition_point(|&end| end <= value).clamp(1, ends.len() - 1) - 1;
-    let [low, high] = [ends[interval], ends[interval + 1]];
-    (interval, 2.0 * (value - low) / (high - low) - 1.0)
-}
 
 impl SolidSpatula {
     /// S of its stations, and ζ of its nodes through the thickness, from -1, the underside, to 1.
@@ -21,7 +15,7 @@ impl SolidSpatula {
 
     /// The element at S in the plane of symmetry, with ξ there.
     fn element_in_plane(&self, place: f64) -> (usize, ElementPlace<'_>, f64) {
-        let (column, xi) = located(&self.mesh.stations, place);
+        let (column, xi) = StripMesh::located(&self.mesh.stations, place);
         let own = ElementPlace {
             stations: [self.mesh.stations[column], self.mesh.stations[column + 1]],
             axis: [self.axis[column], self.axis[column + 1]],
@@ -107,9 +101,10 @@ impl SolidSpatula {
     /// The state of this mesh that has the displacements of one of another mesh of the same body, at its nodes.
     pub(crate) fn state_of(&self, other: &Self, at: &State) -> State {
         let mut values = vec![0.0; self.unknowns()];
-        let lines: Vec<_> = (0..self.layout.lines()).map(|line| located(&other.mesh.sides, self.line(line))).collect();
+        let lines: Vec<_> =
+            (0..self.layout.lines()).map(|line| StripMesh::located(&other.mesh.sides, self.line(line))).collect();
         for (station, &place) in self.mesh.stations.iter().enumerate() {
-            let (column, xi) = located(&other.mesh.stations, place);
+            let (column, xi) = StripMesh::located(&other.mesh.stations, place);
             let length = other.mesh.stations[column + 1] - other.mesh.stations[column];
             let functions = Element::along(xi, length);
             for (across, &(strip, eta)) in lines.iter().enumerate() {

@@ -6,6 +6,8 @@ use super::layout::{ELEMENT, Layout};
 use super::material::NeoHookean;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::beam::varying::BeamGeometry;
+use crate::solid::contact::{DETACHED, GAP_SCALE};
+use crate::solid::mesh::halved;
 use crate::solve::state::{Mesh, State};
 use rayon::prelude::*;
 use std::sync::Arc;
@@ -25,10 +27,6 @@ pub struct SpatulaMesh {
 const FACE_POINTS: f64 = 3.0;
 const A_FACE_POINT: f64 = 2.0;
 const MOST_FACE_POINTS: usize = 20;
-/// What is added to a gap before a change is taken relative to it, over r0.
-const GAP_SCALE: f64 = 0.05;
-/// A node is off where its gap is so many times r0.
-const DETACHED: f64 = 10.0;
 
 /// A spatula as a solid in space, in the grip of a machine that moves its end face along y.
 ///
@@ -66,11 +64,6 @@ impl SolidSpatula {
 
     /// The same with every element cut in two along S and across.
     pub(crate) fn refined(&self) -> Self {
-        let halved = |ends: &[f64]| {
-            let mut all: Vec<f64> = ends.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).collect();
-            all.extend(ends.last());
-            all
-        };
         let SpatulaMesh { stations, sides, adhering } = &self.mesh;
         let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), adhering: *adhering };
         Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground, mesh)

@@ -10,7 +10,7 @@ use peelkit::study::{
     Bound, PeelQuantity, PulledCurve, SetaEnd, SetaPullOff, SolidPathEnd, SolidPeel, Stage, StopCriteria, StopReason,
 };
 use peelkit::toe::{ArrayEnd, ArrayPull};
-use peelkit_report::{PulledAtRate, RateResult, SolidResult, seta_end_reason, timed};
+use peelkit_report::{PulledAtRate, RateResult, SolidResult, seta_end_reason, solid_end_reason, timed};
 use peelkit_scene::{ArrayTable, Described, Scene, UncertaintyTable};
 use std::sync::OnceLock;
 
@@ -162,10 +162,7 @@ fn of_solid(peel: &SolidPeel) -> PulledCurve {
     curve.short = match &peel.end {
         // as far as it was asked for, it is whole
         SolidPathEnd::Bound(Bound::Until(_)) => None,
-        SolidPathEnd::Bound(bound) => Some(bound.to_string()),
-        SolidPathEnd::Failed(error) => Some(error.to_string()),
-        SolidPathEnd::NotAtRest(error) => Some(error.to_string()),
-        _ => None,
+        end => solid_end_reason(end),
     };
     curve.interrupted = matches!(peel.end, SolidPathEnd::Bound(Bound::Interrupted));
     curve

@@ -2,6 +2,7 @@
 
 mod array;
 mod asked;
+mod kept_path;
 mod peel;
 mod rate;
 mod sensitivities;

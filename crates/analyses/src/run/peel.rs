@@ -1,16 +1,17 @@
 //! The whole path of equilibria of a scene, with what is asked for beside it.
 
 use super::asked::Asked;
+use super::kept_path;
 use super::sensitivities::{self, Exponents};
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
-use crate::session::{Progress, Session};
+use crate::session::Session;
 use peelkit::model::PeelModel;
 use peelkit::study::{
-    self, Checkpoint, Events, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch,
-    PathEnd, Peel, Stations, StopCriteria, TestEnd,
+    self, Events, Failure, NoEquilibrium, NoTest, NotOutOfPlane, Observed, OutOfPlane, OutOfPlaneBranch, PathEnd, Peel,
+    Stations, StopCriteria, TestEnd,
 };
 use peelkit_report::{self as report, Journal, JournalKind, Marked, PassedAt, PeelSummary, ReportError, timed};
-use peelkit_scene::{BoundsTable, Scene};
+use peelkit_scene::Scene;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -117,10 +118,7 @@ impl Analysis for PeelRun<'_> {
 
     fn run(&self, session: &Session) -> Result<PeelOutcome, Refusal> {
         let Self { scene, asked } = *self;
-        // whatever its bounds, a path has the same points
-        let (bounds, events) = (BoundsTable::default(), Vec::new());
-        let unbound = Scene { bounds, stations: Vec::new(), events, ..scene.clone() };
-        let journal = session.open(JournalKind::RUN, &unbound, &[])?;
+        let journal = kept_path::open(scene, session)?;
         let taken = journal.entries();
         let (peel, seconds) = timed(|| path(scene, &journal, session));
         let asked_to_stop = session.watcher.nothing_more_is_kept();
@@ -175,15 +173,8 @@ impl Analysis for PeelRun<'_> {
 
 /// The path, from what an earlier run has kept of it.
 fn path(scene: &Scene, journal: &Journal, session: &Session) -> Peel {
-    let checkpoint = Checkpoint {
-        taken: &|options| journal.sequence(options),
-        keep: &|options, waypoint| {
-            session.watcher.see(Progress::Point(options, &waypoint));
-            journal.append(options, &waypoint);
-        },
-    };
     let stop = StopCriteria { events: scene.events.clone(), ..session.stop(scene) };
-    study::peel_on(&scene.model, &scene.accuracy, &stop, &checkpoint)
+    kept_path::on(journal, session, |checkpoint| study::peel_on(&scene.model, &scene.accuracy, &stop, checkpoint))
 }
 
 /// The equilibria of a path at the values that a scene asks for.

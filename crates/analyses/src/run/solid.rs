@@ -1,14 +1,15 @@
 //! The peel of the body of a scene as a solid.
 
 use super::asked::{self, Asked};
+use super::kept_path;
 use crate::outcome::{Analysis, End, Outcome, Refusal, by};
 use crate::pulls::solid::peeled_on;
-use crate::session::{Progress, Session};
+use crate::session::Session;
 use peelkit::adhesion::HalfSpace;
 use peelkit::model::LongElements;
-use peelkit::study::{Checkpoint, SolidPathEnd, SolidPeel, StopCriteria};
+use peelkit::study::{Checkpoint, SolidPeel, StopCriteria};
 use peelkit_report::{self as report, Journal, JournalKind, PassedAt, ReportError, SolidSummary, timed};
-use peelkit_scene::{BoundsTable, Scene, SolidTable};
+use peelkit_scene::{Scene, SolidTable};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -66,21 +67,12 @@ impl Analysis for SolidRun<'_> {
 
     fn run(&self, session: &Session) -> Result<SolidOutcome, Refusal> {
         let Self { scene, table, states } = *self;
-        // whatever its bounds, a path has the same points
-        let (bounds, events) = (BoundsTable::default(), Vec::new());
-        let unbound = Scene { bounds, stations: Vec::new(), events, ..scene.clone() };
-        let journal = session.open(JournalKind::RUN, &unbound, &[])?;
+        let journal = kept_path::open(scene, session)?;
         let taken = journal.entries();
         session.stage("path of the solid");
-        let checkpoint = Checkpoint {
-            taken: &|options| journal.sequence(options),
-            keep: &|options, waypoint| {
-                session.watcher.see(Progress::Point(options, &waypoint));
-                journal.append(options, &waypoint);
-            },
-        };
         let stop = StopCriteria { events: scene.looked_for(), ..session.stop(scene) };
-        let (peel, seconds) = timed(|| peeled_on(scene, table, stop, &checkpoint));
+        let path = |checkpoint: &Checkpoint| peeled_on(scene, table, stop, checkpoint);
+        let (peel, seconds) = timed(|| kept_path::on(&journal, session, path));
         let peel = peel.map_err(|error| Refusal::asked(error.to_string(), error.remedy()))?;
         Ok(SolidOutcome {
             peel,
@@ -125,12 +117,11 @@ impl Outcome for SolidOutcome {
     }
 
     fn end(&self) -> End {
-        match &self.peel.end {
+        let end = &self.peel.end;
+        match report::solid_end_reason(end).filter(|_| end.has_failed()) {
             _ if self.interrupted => End::Interrupted { done: None, short: None },
-            SolidPathEnd::Failed(_) | SolidPathEnd::NotAtRest(_) => {
-                End::CutShort(report::solid_end_reason(&self.peel.end).unwrap_or_default())
-            }
-            _ => End::Done,
+            Some(why) => End::CutShort(why),
+            None => End::Done,
         }
     }
 

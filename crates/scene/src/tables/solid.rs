@@ -13,9 +13,8 @@ use std::ops::Range;
 
 /// The table of a scene.
 pub(crate) const TABLE: &str = "solid";
-/// Most rows of elements through the thickness, and most across the half width of a spatula.
+/// Most rows of elements through the thickness.
 pub(crate) const MOST_ROWS: usize = 200;
-pub(crate) const MOST_ACROSS: usize = 16;
 
 pub(crate) const PLANES: &[(&str, Plane)] = &[("stress", Plane::Stress), ("strain", Plane::Strain)];
 pub(crate) const MATERIALS: &[(&str, SolidMaterial)] =

@@ -137,8 +137,7 @@ impl Poses {
 
     /// The outline of a solid at points of its path.
     fn of_solid(peel: &SolidPeel) -> Self {
-        let (across, along) = peel.body.mesh_lines();
-        let [under, upper] = [along.first(), along.last()].map(|at| at.copied().unwrap_or(0.0));
+        let ((across, _), [under, upper]) = (peel.body.mesh_lines(), peel.body.faces());
         let corners_of = across.iter().map(|&s| [s, under]).chain(across.iter().rev().map(|&s| [s, upper]));
         let (length, corners_of): (f64, Vec<[f64; 2]>) = (peel.body.length(), corners_of.collect());
         let every = peel.points.len().div_ceil(SOLID_STATES).max(1);

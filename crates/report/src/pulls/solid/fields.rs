@@ -17,10 +17,10 @@ pub(super) fn shown(peel: &SolidPeel) -> [Vec<f64>; 2] {
     [places.chain(across.last().copied()).collect(), along.to_vec()]
 }
 
-/// The points that are shown: at the peak, and where half of the strip is off, if the path comes so far.
-pub(super) fn chosen(peel: &SolidPeel, length: f64) -> Vec<(&'static str, &SolidPoint)> {
+/// The points that are shown: at the peak, and where half of the body is off, if the path comes so far.
+pub(super) fn chosen(peel: &SolidPeel) -> Vec<(&'static str, &SolidPoint)> {
     let peak = peel.peak().and_then(|at| peel.points.get(at.after));
-    let half = peel.points.iter().position(|at| at.front >= 0.5 * length).and_then(|index| peel.points.get(index));
+    let half = peel.points.iter().find(|at| at.front >= 0.5 * peel.body.adhering_length());
     let last = peel.points.last();
     let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the peak", Some(peak)));
     let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));

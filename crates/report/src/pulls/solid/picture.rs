@@ -75,7 +75,7 @@ fn front(peel: &SolidPeel, ground: &HalfSpace, Heading { title, units }: Heading
         SolidBody::Spatula(_) => WINDOW_OF_SPATULA,
     };
     let width = window * peel.body.thickness();
-    let chosen = chosen(peel, peel.body.adhering_length());
+    let chosen = chosen(peel);
     let mut panels = Vec::new();
     for (column, (what, at)) in chosen.iter().enumerate() {
         let of_column = Frame::column(column, 2);
@@ -97,7 +97,7 @@ fn state(
     (width, units): (f64, PreferredUnits),
 ) -> [Panel; 2] {
     let of = |s: f64, height: f64| peel.body.place_at(at.values(), [s, height]).into();
-    let underside = heights.first().copied().unwrap_or(0.0);
+    let [underside, _] = peel.body.faces();
     let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, underside)).collect();
     let traction: Vec<(f64, f64)> = face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(y))).collect();
     // downwards on the strip: where the ground holds it most

@@ -14,7 +14,7 @@ const SPACING: f64 = 1.0;
 /// At rest, where half of it is off, at its peak, and at the end, as far as the path comes.
 pub(super) fn shapes(peel: &SolidPeel, heading: Heading) -> Picture {
     let (first, last) = (peel.points.first(), peel.points.last());
-    let between = chosen(peel, peel.body.adhering_length()).into_iter().map(|(_, at)| at);
+    let between = chosen(peel).into_iter().map(|(_, at)| at);
     let mut shown: Vec<&SolidPoint> = first.into_iter().chain(between).chain(last).collect();
     let apart = APART * peel.body.adhering_length();
     shown.dedup_by(|next, before| (next.front - before.front).abs() < apart);
@@ -30,8 +30,7 @@ pub(super) fn shapes(peel: &SolidPeel, heading: Heading) -> Picture {
 
 /// The middle of its thickness, with what is above and below it: a spatula is shown in its plane of symmetry.
 fn axis(peel: &SolidPeel, at: &SolidPoint) -> DeformedShape {
-    let (places, through) = peel.body.mesh_lines();
-    let ends = [through.first(), through.last()].map(|end| end.copied().unwrap_or(0.0));
+    let ((places, _), faces) = (peel.body.mesh_lines(), peel.body.faces());
     let mut shape =
         DeformedShape { x: Vec::new(), y: Vec::new(), z: Vec::new(), rotation: Vec::new(), height: Vec::new() };
     let fine = SPACING * peel.body.thickness();
@@ -42,7 +41,7 @@ fn axis(peel: &SolidPeel, at: &SolidPoint) -> DeformedShape {
     };
     let places = places.windows(2).flat_map(within).chain(places.last().copied());
     for s in places {
-        let [[x0, y0], [x1, y1]] = ends.map(|end| peel.body.place_at(at.values(), [s, end]));
+        let [[x0, y0], [x1, y1]] = faces.map(|face| peel.body.place_at(at.values(), [s, face]));
         shape.x.push(0.5 * (x0 + x1));
         shape.y.push(0.5 * (y0 + y1));
         shape.rotation.push((x0 - x1).atan2(y1 - y0));

@@ -8,7 +8,7 @@ use crate::records::of_many::sweep::{SweepSummary, write_swept};
 use crate::swept::{PullRow, SweptKeys};
 use crate::writing::error::ReportError;
 use crate::writing::record::{Fields, Record};
-use peelkit::study::{SolidLimitPoint, SolidPathEnd, SolidPeel};
+use peelkit::study::{SolidLimitPoint, SolidPeel};
 use peelkit_scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -58,7 +58,7 @@ impl From<&SolidPeel> for SolidResult {
             first_jump: peel.snap_off().map(SolidTurn::from),
             end: solid_end_word(&peel.end).to_owned(),
             reason: solid_end_reason(&peel.end),
-            has_failed: matches!(peel.end, SolidPathEnd::Failed(_) | SolidPathEnd::NotAtRest(_)),
+            has_failed: peel.end.has_failed(),
             points: peel.points.len(),
             newton_iterations: peel.iterations,
             unknowns: peel.body.unknowns(),
