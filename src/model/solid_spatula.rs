@@ -3,6 +3,7 @@
 use super::body::Body;
 use super::body::spatula::Spatula;
 use super::check::error::ModelError;
+use super::ground::Start;
 use super::peel::{Hold, PeelModel, Pull};
 use crate::adhesion::section::law::Attraction;
 use crate::beam::varying::BeamGeometry;
@@ -108,7 +109,7 @@ impl SolidSpatulaSettings {
     /// model.grip.rotation = Hold::Fixed;
     /// model.adhesion.far_face = false;
     /// let spatula = SolidSpatulaSettings::default().spatula(&model)?;
-    /// assert_eq!((spatula.elements(), spatula.unknowns()), (316, 13315));
+    /// assert_eq!((spatula.elements(), spatula.unknowns()), (316, 13316));
     /// let error = SolidSpatulaSettings { across: 0, ..Default::default() }.spatula(&model).unwrap_err();
     /// assert_eq!(error.key(), "solid.across");
     /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
@@ -116,7 +117,8 @@ impl SolidSpatulaSettings {
     pub fn spatula(&self, model: &PeelModel) -> Result<SolidSpatula, SolidSpatulaError> {
         let (body, mesh) = self.mesh(model)?;
         let material = (body.material.youngs_modulus, body.material.poissons_ratio);
-        Ok(SolidSpatula::new(Arc::new(body.clone()), material, model.adhesion.half_space(), mesh))
+        let ground = (model.adhesion.half_space(), model.ground.substrate.clone());
+        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, mesh))
     }
 
     /// The outline of a model and its mesh.
@@ -126,7 +128,8 @@ impl SolidSpatulaSettings {
         let Body::Spatula(body) = &model.body else { return Err(not_of_solid("body", "is a spatula")) };
         self.check()?;
         let adhering = body.pad_length + body.neck_length;
-        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering };
+        let pressed = (model.ground.start == Start::Conformed).then_some(body.pad_length);
+        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering, pressed };
         Ok((body, mesh))
     }
 
@@ -184,7 +187,6 @@ fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
     let refused = [
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
-        (!model.ground.substrate.is_flat(), "substrate.shape", "lies on flat ground"),
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.rotation == Hold::Free, "grip.rotation", "has an end face that does not turn"),
         (

@@ -2,6 +2,7 @@
 
 use super::spatula::solid_spatula::SolidSpatula;
 use super::strip::SolidStrip;
+use crate::adhesion::substrate::Substrate;
 use crate::solve::problem::Problem;
 use crate::solve::state::State;
 use std::sync::Arc;
@@ -134,6 +135,14 @@ impl SolidBody {
         match self {
             Self::Strip(strip) => strip.is_detached(values),
             Self::Spatula(spatula) => spatula.is_detached(values),
+        }
+    }
+
+    /// What it lies on.
+    pub fn substrate(&self) -> &Substrate {
+        match self {
+            Self::Strip(_) => &Substrate::Flat,
+            Self::Spatula(spatula) => spatula.substrate(),
         }
     }
 

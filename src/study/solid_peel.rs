@@ -412,11 +412,12 @@ impl Traced {
 /// Most that a step of a relaxation moves, over the gap.
 const SETTLING: f64 = 0.3;
 
-/// A spatula at rest: it is bonded along its pad without stress, which is no equilibrium, as the root of its neck closes.
+/// A spatula at rest: it is bonded along its pad without stress, or pressed on uneven ground, which is no equilibrium.
 fn settled(spatula: &SolidSpatula, problem: &Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
     let mut ws = Workspace::until(options.stop.for_solves(Stage::Path));
     let held = Held::Displacement(0.0);
-    let relaxed = relax(problem, spatula.at_rest(), held, &RelaxOptions::by(SETTLING), &mut ws);
+    let guess = spatula.mesh.pressed.map_or_else(|| spatula.at_rest(), |pad| spatula.conformed(pad));
+    let relaxed = relax(problem, guess, held, &RelaxOptions::by(SETTLING), &mut ws);
     relaxed.map(|relaxed| relaxed.solution.at).map_err(|cause| match options.stop.reached_bound(Stage::Path) {
         Some(bound) => SolidPathEnd::Bound(bound),
         None => SolidPathEnd::NotAtRest(cause),

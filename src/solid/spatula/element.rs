@@ -5,12 +5,12 @@
 //!
 //!   K_ia,jb = ∫ δ_ab μ G_i·G_j + Λ g_ia g_jb - c g_ib g_ja dV,
 //!
-//! of which the first term never changes. The ground acts per area of the reference, projected on the substrate: T(y) on u_y.
+//! of which the first term never changes. The ground acts per area of the reference, as that is projected on its level: [`super::ground`].
 
 use super::geometry::{InPlane, SolidGeometry};
+use super::ground::{GroundResponse, SolidGround};
 use super::layout::{ACROSS, ALONG, ELEMENT, FUNCTIONS, THROUGH};
 use super::material::{NeoHookean, Vector};
-use crate::adhesion::levels::half_space::HalfSpace;
 use crate::number::gauss::gauss_legendre;
 use std::num::NonZeroUsize;
 
@@ -37,8 +37,8 @@ struct BulkPoint {
 pub(super) struct FacePoint {
     /// Projected area, nm², of both halves
     pub area: f64,
-    /// Height over the ground in the reference, nm
-    pub height: f64,
+    /// x and y in the reference, nm
+    pub place: [f64; 2],
     /// N of the functions that do not vanish there
     pub values: [f64; ON_FACE],
 }
@@ -75,6 +75,8 @@ impl Default for ElementWork {
     }
 }
 
+/// The blocks of xx, xy and yy.
+const IN_PLANE: [usize; 3] = [0, 1, 3];
 /// Which components a block couples.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
 
@@ -146,17 +148,17 @@ impl ElementPlace<'_> {
         })
     }
 
-    /// Derivatives of x, y and z by ξ, ζ and η, row by row of these, and y.
+    /// Derivatives of x, y and z by ξ, ζ and η, row by row of these, with x and y.
     fn jacobian(
         &self,
         coefficients: &[[f64; 2]; FUNCTIONS],
         functions: &[[f64; 4]; FUNCTIONS],
         [xi, zeta, eta]: Vector,
-    ) -> ([Vector; 3], f64) {
+    ) -> ([Vector; 3], [f64; 2]) {
         let mut rows = [[0.0; 3]; 3];
-        let mut height = 0.0;
+        let mut at = [0.0; 2];
         for (own, of) in coefficients.iter().zip(functions) {
-            height += own[1] * of[0];
+            at = [at[0] + own[0] * of[0], at[1] + own[1] * of[0]];
             for (row, derivative) in rows.iter_mut().zip(&of[1..]) {
                 (row[0], row[1]) = (row[0] + own[0] * derivative, row[1] + own[1] * derivative);
             }
@@ -165,7 +167,7 @@ impl ElementPlace<'_> {
         let z = self.geometry.across(place, zeta, self.t(eta));
         (rows[0][2], rows[1][2]) = (0.5 * self.length() * z.along, z.through);
         rows[2][2] = 0.5 * (self.sides[1] - self.sides[0]) * z.across;
-        (rows, height)
+        (rows, at)
     }
 
     /// The determinant of these derivatives at (ξ, ζ, η), and ∂N/∂x, ∂N/∂y, ∂N/∂z of each function.
@@ -235,11 +237,11 @@ impl Element {
             for (xi, w) in gauss(place.face_points) {
                 for (eta, u) in gauss(FACE_ACROSS) {
                     let functions = functions(xi, -1.0, eta, place.length());
-                    let (rows, height) = place.jacobian(&coefficients, &functions, [xi, -1.0, eta]);
+                    let (rows, at) = place.jacobian(&coefficients, &functions, [xi, -1.0, eta]);
                     // the normal off the body points down where the ground is seen
                     let projected = rows[0][0] * rows[2][2] - rows[0][2] * rows[2][0];
                     let values = std::array::from_fn(|k| functions[Self::on_face(k)][0]);
-                    element.face.push(FacePoint { area: HALVES * w * u * projected.max(0.0), height, values });
+                    element.face.push(FacePoint { area: HALVES * w * u * projected.max(0.0), place: at, values });
                 }
             }
         }
@@ -266,7 +268,7 @@ impl Element {
         &self,
         moved: &[f64; ELEMENT],
         material: &NeoHookean,
-        ground: &HalfSpace,
+        ground: &SolidGround,
         tangent: bool,
         work: &mut ElementWork,
     ) {
@@ -301,15 +303,16 @@ impl Element {
             add_points(&work.points, &mut work.blocks);
         }
         for point in &self.face {
-            let moved: f64 = (0..ON_FACE).map(|k| own[1][Self::on_face(k)] * point.values[k]).sum();
-            let [potential, traction, slope] = ground.levels(point.height + moved);
-            work.energy += point.area * potential;
+            let GroundResponse { energy, gradient, hessian } = ground.at(Self::place(point, moved));
+            work.energy += point.area * energy;
             for i in 0..ON_FACE {
                 let value = point.area * point.values[i];
-                residual[1][Self::on_face(i)] -= traction * value;
+                (0..2).for_each(|axis| residual[axis][Self::on_face(i)] += gradient[axis] * value);
                 if tangent {
-                    let row = &mut work.blocks[3][Self::on_face(i) * FUNCTIONS..][..FUNCTIONS];
-                    (0..ON_FACE).for_each(|j| row[Self::on_face(j)] += slope * value * point.values[j]);
+                    for (block, by) in IN_PLANE.into_iter().zip(hessian).filter(|(_, by)| *by != 0.0) {
+                        let row = &mut work.blocks[block][Self::on_face(i) * FUNCTIONS..][..FUNCTIONS];
+                        (0..ON_FACE).for_each(|j| row[Self::on_face(j)] += by * value * point.values[j]);
+                    }
                 }
             }
         }
@@ -323,9 +326,13 @@ impl Element {
         }
     }
 
-    /// Gap at a point of the underside at these displacements.
-    pub(crate) fn gap(point: &FacePoint, moved: &[f64; ELEMENT]) -> f64 {
-        point.height + (0..ON_FACE).map(|k| moved[3 * Self::on_face(k) + 1] * point.values[k]).sum::<f64>()
+    /// Where a point of the underside is at these displacements, x and y, nm.
+    pub(crate) fn place(point: &FacePoint, moved: &[f64; ELEMENT]) -> [f64; 2] {
+        let of = |axis: usize| {
+            let all = (0..ON_FACE).map(|k| moved[3 * Self::on_face(k) + axis] * point.values[k]);
+            point.place[axis] + all.sum::<f64>()
+        };
+        [of(0), of(1)]
     }
 }
 
@@ -390,6 +397,8 @@ impl ElementWork {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::adhesion::levels::half_space::HalfSpace;
+    use crate::adhesion::substrate::Substrate;
     use crate::beam::varying::{BeamGeometry, SectionGeometry};
     use approx::{assert_abs_diff_eq, assert_relative_eq};
     use std::sync::Arc;
@@ -416,12 +425,17 @@ mod tests {
         }
     }
 
-    const GROUND: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
+    const HALF_SPACE: HalfSpace = HalfSpace { hamaker_constant: 0.1, equilibrium_distance: 0.4 };
+
+    fn level() -> SolidGround {
+        SolidGround { half_space: HALF_SPACE, substrate: Substrate::Flat }
+    }
+
     const STATIONS: [f64; 2] = [10.0, 22.0];
 
     fn with(face_points: usize, of: impl FnOnce(&ElementPlace, &Element, &NeoHookean)) {
         let material = NeoHookean::new(2.0, 0.2);
-        let geometry = SolidGeometry::new(Arc::new(Neck), GROUND.equilibrium_gap());
+        let geometry = SolidGeometry::new(Arc::new(Neck), HALF_SPACE.equilibrium_gap());
         let axis = geometry.axis(&[0.0, STATIONS[0], STATIONS[1]]);
         let place = ElementPlace {
             stations: STATIONS,
@@ -451,15 +465,28 @@ mod tests {
                     }
                 });
                 let mut work = ElementWork::default();
-                element.at(&moved, material, &GROUND, false, &mut work);
+                element.at(&moved, material, &level(), false, &mut work);
                 assert!(work.energy.abs() < 1e-12 * element.volume(), "{}", work.energy);
                 assert!(work.residual.iter().all(|force| force.abs() < 1e-11), "{:?}", work.residual);
             }
         });
     }
 
+    /// Waves of 8 nm, 50 nm long, 4 nm below.
+    fn wavy() -> SolidGround {
+        let mut substrate = Substrate::all().into_iter().find(|(name, _)| *name == "sinusoid").unwrap().1;
+        for (key, value) in [("height", 8.0), ("wavelength", 50.0), ("offset", 3.0)] {
+            *substrate.number(key).unwrap() = value;
+        }
+        SolidGround { half_space: HALF_SPACE, substrate }
+    }
+
     #[test]
     fn the_residual_is_the_slope_of_the_energy_and_the_tangent_that_of_the_residual() {
+        [level(), wavy()].into_iter().for_each(slopes_are_differences);
+    }
+
+    fn slopes_are_differences(ground: SolidGround) {
         with(6, |_, element, material| {
             let moved: [f64; ELEMENT] = std::array::from_fn(|k| {
                 let size = if k / 27 % 2 == 0 { 0.2 } else { 0.01 };
@@ -468,7 +495,7 @@ mod tests {
             });
             let at = |moved: &[f64; ELEMENT], tangent: bool| {
                 let mut work = ElementWork::default();
-                element.at(moved, material, &GROUND, tangent, &mut work);
+                element.at(moved, material, &ground, tangent, &mut work);
                 work
             };
             let own = at(&moved, true);
@@ -508,8 +535,8 @@ mod tests {
             for (xi, w) in gauss(20) {
                 for (eta, u) in gauss(20) {
                     let functions = functions(xi, -1.0, eta, place.length());
-                    let (rows, height) = place.jacobian(&place.coefficients(), &functions, [xi, -1.0, eta]);
-                    assert!(height > 0.0);
+                    let (rows, at) = place.jacobian(&place.coefficients(), &functions, [xi, -1.0, eta]);
+                    assert!(at[1] > 0.0);
                     expected += HALVES * w * u * (rows[0][0] * rows[2][2] - rows[0][2] * rows[2][0]);
                 }
             }

@@ -29,8 +29,14 @@ impl SolidSpatula {
 
     /// x and y of the point (S, ζ) of the plane of symmetry, over the ground, nm.
     pub fn place_at(&self, values: &[f64], place: f64, zeta: f64) -> [f64; 2] {
+        let (rest, moved) = (self.rest_at(place, zeta), self.displacement_at(values, place, zeta));
+        [rest[0] + moved[0], rest[1] + moved[1]]
+    }
+
+    /// The same without stress.
+    pub(super) fn rest_at(&self, place: f64, zeta: f64) -> [f64; 2] {
         let (_, own, xi) = self.element_in_plane(place);
-        let mut at = self.displacement_at(values, place, zeta);
+        let mut at = [0.0; 2];
         for (rest, share) in own.coefficients().iter().zip(own.values([xi, zeta, -1.0])) {
             (0..2).for_each(|axis| at[axis] += share * rest[axis]);
         }
@@ -72,7 +78,7 @@ impl SolidSpatula {
 
     /// S up to which it adheres from the tip on, nm: where the gap passes twice that of the largest attraction, by its logarithm between stations.
     pub(crate) fn front(&self, values: &[f64]) -> f64 {
-        let near = 2.0 * self.ground.strongest_gap();
+        let near = 2.0 * self.half_space.strongest_gap();
         let gaps = self.gaps(values);
         let stations = self.adhering_stations();
         let Some(last) = (0..stations).rev().find(|&station| gaps[station] < near) else { return 0.0 };

@@ -1,12 +1,14 @@
 //! Where unknowns stand: station by station along S, at each of them the nodes of the section, at each node u and its slope by S.
 //!
-//! On the plane of symmetry u_z is zero. The end face moves as a whole, by one u_y; its slopes stay free. Its u_x is zero: no force holds it
-//! there, as the ground resists no sliding, and u_x counts from there.
+//! On the plane of symmetry u_z is zero. The end face moves as a whole, by one u_x and one u_y; its slopes stay free. On level ground its u_x is held at
+//! zero: no force is needed for that, as the ground resists no sliding.
 
 /// Slot of the interface: u_y of the end face.
 pub(super) const HEIGHT: usize = 0;
+/// That of its u_x.
+pub(super) const ALONG_GROUND: usize = 1;
 /// Unknowns of the interface.
-pub(super) const OF_FACE: usize = 1;
+pub(super) const OF_FACE: usize = 2;
 
 /// Nodes of an element through the thickness, and across it.
 pub(super) const THROUGH: usize = 3;
@@ -69,8 +71,10 @@ impl Layout {
         }
         layout.face = slopes + OF_FACE;
         for (number, place) in layout.last.iter_mut().enumerate() {
-            if number % 6 == 1 {
-                *place = Some(slopes + HEIGHT);
+            match number % 6 {
+                0 => *place = Some(slopes + ALONG_GROUND),
+                1 => *place = Some(slopes + HEIGHT),
+                _ => {}
             }
         }
         layout

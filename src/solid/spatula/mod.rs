@@ -6,8 +6,10 @@
 mod element;
 mod fields;
 mod geometry;
+mod ground;
 mod layout;
 mod material;
 pub(crate) mod solid_spatula;
+mod start;
 mod system;
 pub use solid_spatula::{SolidSpatula, SpatulaMesh};

@@ -2,9 +2,11 @@
 
 use super::element::{Element, ElementPlace, ElementWork};
 use super::geometry::SolidGeometry;
+use super::ground::SolidGround;
 use super::layout::{ELEMENT, Layout};
 use super::material::NeoHookean;
 use crate::adhesion::levels::half_space::HalfSpace;
+use crate::adhesion::substrate::Substrate;
 use crate::beam::varying::BeamGeometry;
 use crate::solid::contact::{DETACHED, GAP_SCALE};
 use crate::solid::mesh::halved;
@@ -21,6 +23,8 @@ pub struct SpatulaMesh {
     pub sides: Vec<f64>,
     /// S up to which the underside adheres, nm; a station
     pub adhering: f64,
+    /// S of the end of the pad, which follows uneven ground before it settles; none: it settles from the crests
+    pub pressed: Option<f64>,
 }
 
 /// Points along S of an element of the underside: five where it is 2 nm long and r0 is 0.4 nm, eight at 4 nm.
@@ -33,7 +37,7 @@ const MOST_FACE_POINTS: usize = 20;
 /// Unknowns are those of half of it; energy and forces are those of the whole.
 #[derive(Clone, Debug)]
 pub struct SolidSpatula {
-    pub(in crate::solid) mesh: SpatulaMesh,
+    pub(crate) mesh: SpatulaMesh,
     pub(super) layout: Layout,
     elements: Vec<Element>,
     /// Of each element, where its unknowns stand in the front of its column
@@ -41,38 +45,40 @@ pub struct SolidSpatula {
     pub(super) geometry: SolidGeometry,
     /// x and y of the axis at the stations, nm
     pub(super) axis: Vec<[f64; 2]>,
-    /// y of the nodes of the underside at rest, station by station, nm
-    heights: Vec<Vec<f64>>,
-    pub(super) ground: HalfSpace,
+    /// x and y of the nodes of the underside at rest, station by station, nm
+    underside: Vec<Vec<[f64; 2]>>,
+    pub(super) ground: SolidGround,
+    pub(super) half_space: HalfSpace,
     pub(super) material: NeoHookean,
     /// E, GPa
     pub(super) youngs_modulus: f64,
 }
 
 impl SolidSpatula {
-    /// Of an outline, of E (GPa) and ν, on this ground.
+    /// Of an outline, of E (GPa) and ν, on a half space with this surface.
     pub fn new(
         outline: Arc<dyn BeamGeometry>,
         (youngs_modulus, poissons_ratio): (f64, f64),
-        ground: HalfSpace,
+        (half_space, substrate): (HalfSpace, Substrate),
         mesh: SpatulaMesh,
     ) -> Self {
-        let geometry = SolidGeometry::new(outline, ground.equilibrium_gap());
+        let geometry = SolidGeometry::new(outline, half_space.equilibrium_gap());
+        let ground = SolidGround { half_space, substrate };
         let material = NeoHookean::new(youngs_modulus, poissons_ratio);
         Self::on(geometry, (material, youngs_modulus), ground, mesh)
     }
 
     /// The same with every element cut in two along S and across.
     pub(crate) fn refined(&self) -> Self {
-        let SpatulaMesh { stations, sides, adhering } = &self.mesh;
-        let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), adhering: *adhering };
-        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground, mesh)
+        let SpatulaMesh { stations, sides, .. } = &self.mesh;
+        let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), ..self.mesh };
+        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground.clone(), mesh)
     }
 
     fn on(
         geometry: SolidGeometry,
         (material, youngs_modulus): (NeoHookean, f64),
-        ground: HalfSpace,
+        ground: SolidGround,
         mesh: SpatulaMesh,
     ) -> Self {
         let axis = geometry.axis(&mesh.stations);
@@ -81,7 +87,8 @@ impl SolidSpatula {
             let (column, strip) = (index / layout.strips, index % layout.strips);
             let stations = [mesh.stations[column], mesh.stations[column + 1]];
             let adheres = stations[1] <= mesh.adhering;
-            let points = FACE_POINTS + (stations[1] - stations[0]) / (A_FACE_POINT * ground.equilibrium_distance);
+            let points =
+                FACE_POINTS + (stations[1] - stations[0]) / (A_FACE_POINT * ground.half_space.equilibrium_distance);
             let place = ElementPlace {
                 stations,
                 axis: [axis[column], axis[column + 1]],
@@ -93,16 +100,17 @@ impl SolidSpatula {
             (Element::new(&place), layout.places(column, strip))
         };
         let (elements, places) = (0..layout.columns * layout.strips).into_par_iter().map(of).unzip();
-        let height = |(station, &place): (usize, &f64)| {
+        let node = |(station, &place): (usize, &f64)| {
             let line = |line: usize| {
                 let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
                 let t = if line.is_multiple_of(2) { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
-                geometry.in_plane(place, axis[station], -1.0, t).place[1]
+                geometry.in_plane(place, axis[station], -1.0, t).place
             };
             (0..layout.lines()).map(line).collect()
         };
-        let heights = mesh.stations.iter().enumerate().map(height).collect();
-        Self { mesh, layout, elements, places, geometry, axis, heights, ground, material, youngs_modulus }
+        let underside = mesh.stations.iter().enumerate().map(node).collect();
+        let half_space = ground.half_space;
+        Self { mesh, layout, elements, places, geometry, axis, underside, ground, half_space, material, youngs_modulus }
     }
 
     /// Number of elements.
@@ -155,33 +163,41 @@ impl SolidSpatula {
         self.elements[index].at(&moved, &self.material, &self.ground, tangent, work);
     }
 
-    /// Calls `at` for each point of the underside with its gap and area, and with what adds N of each function to a gradient.
+    /// Calls `at` for each point of the underside with its gap and area, and with what adds the change of the gap to a gradient.
     pub(super) fn over_underside(&self, values: &[f64], mut at: impl FnMut(f64, f64, &mut dyn FnMut(f64, &mut [f64]))) {
         for (index, element) in self.elements.iter().enumerate().filter(|(_, element)| !element.face.is_empty()) {
             let moved = self.moved(values, index);
             let start = self.layout.start(self.column_of(index));
             for point in &element.face {
+                let (gap, normal) = self.ground.distance(Element::place(point, &moved));
                 let mut add = |factor: f64, gradient: &mut [f64]| {
                     for (k, value) in point.values.iter().enumerate() {
-                        if let Some(place) = self.places[index][3 * Element::on_face(k) + 1] {
-                            gradient[start + place] += factor * value;
+                        for (axis, share) in normal.into_iter().enumerate().filter(|(_, share)| *share != 0.0) {
+                            if let Some(place) = self.places[index][3 * Element::on_face(k) + axis] {
+                                gradient[start + place] += factor * share * value;
+                            }
                         }
                     }
                 };
-                at(Element::gap(point, &moved), point.area, &mut add);
+                at(gap, point.area, &mut add);
             }
         }
     }
 
     /// Whether no node of the underside is nearer to the ground than 10 r0.
     pub(crate) fn is_detached(&self, values: &[f64]) -> bool {
-        let cutoff = DETACHED * self.ground.equilibrium_distance;
+        let cutoff = DETACHED * self.half_space.equilibrium_distance;
         self.gaps(values).into_iter().take(self.adhering_stations()).all(|gap| gap > cutoff)
+    }
+
+    /// The surface of the ground.
+    pub(crate) fn substrate(&self) -> &Substrate {
+        &self.ground.substrate
     }
 
     /// r_eq, the gap at rest, nm.
     pub(crate) fn rest_gap(&self) -> f64 {
-        self.ground.equilibrium_gap()
+        self.half_space.equilibrium_gap()
     }
 
     /// Distance of the stations of what adheres, the longest, nm.
@@ -192,17 +208,17 @@ impl SolidSpatula {
 
     /// What is added to a gap before changes are taken relative to it, nm.
     pub(super) fn gap_scale(&self) -> f64 {
-        GAP_SCALE * self.ground.equilibrium_distance
+        GAP_SCALE * self.half_space.equilibrium_distance
     }
 
     /// The smallest gap of the underside at each station, nm.
     pub(crate) fn gaps(&self, values: &[f64]) -> Vec<f64> {
         let own = |station: usize| {
-            let gap = |(line, height): (usize, &f64)| {
-                let unknown = self.layout.unknown(station, (0, line), false, 1);
-                height + unknown.map_or(0.0, |unknown| values[unknown])
+            let gap = |(line, place): (usize, &[f64; 2])| {
+                let [x, y, _] = self.displacement(values, station, (0, line));
+                self.ground.distance([place[0] + x, place[1] + y]).0
             };
-            self.heights[station].iter().enumerate().map(gap).fold(f64::INFINITY, f64::min)
+            self.underside[station].iter().enumerate().map(gap).fold(f64::INFINITY, f64::min)
         };
         (0..=self.layout.columns).map(own).collect()
     }

@@ -1,7 +1,7 @@
 //! A solid spatula as a [`System`]: elimination station by station, from the tip to the end face.
 
 use super::element::ElementWork;
-use super::layout::{ELEMENT, HEIGHT, OF_FACE};
+use super::layout::{ALONG_GROUND, ELEMENT, HEIGHT, OF_FACE};
 use super::solid_spatula::SolidSpatula;
 use crate::solid::front::{Elimination, Pivots};
 use crate::solve::error::{Place, Quantity, SolveError};
@@ -24,7 +24,10 @@ struct Factors {
     carried: Vec<f64>,
 }
 
-const NAMES: [Unknown; OF_FACE] = [Unknown { name: "height of the end face", unit: "nm" }];
+const NAMES: [Unknown; OF_FACE] = [
+    Unknown { name: "height of the end face", unit: "nm" },
+    Unknown { name: "place of the end face along the ground", unit: "nm" },
+];
 
 /// Columns whose elements are computed side by side: what they add is kept meanwhile.
 const AT_ONCE: usize = 16;
@@ -44,10 +47,13 @@ impl SolidSpatula {
     /// What is to be solved: the spatula in its grip, whose end face is driven straight up without turning.
     pub fn problem(self: &Arc<Self>) -> Problem {
         let mut grip = EndConditions::drive(HEIGHT);
-        grip.scale[HEIGHT] = self.ground.equilibrium_distance;
+        for slot in [HEIGHT, ALONG_GROUND] {
+            grip.scale[slot] = self.half_space.equilibrium_distance;
+        }
+        grip.held[ALONG_GROUND] = self.ground.substrate.is_flat();
         let measure = PathMeasure {
             monitors: [FRONT_SCALE, f64::INFINITY],
-            force: self.ground.work_of_adhesion() * self.mean_width(),
+            force: self.half_space.work_of_adhesion() * self.mean_width(),
             beside: MeasuredBeside::Nothing,
         };
         Problem { system: self.clone(), grip, measure, start: InitialState::Settling }
@@ -148,14 +154,14 @@ impl SolidSpatula {
 
     /// ∫ ln((y + s)/(r_eq + s)) dA over the mean width, and over the logarithm at 10 r0, nm: how far the front has gone.
     fn front_position(&self, values: &[f64]) -> f64 {
-        let (scale, rest, mut sum) = (self.gap_scale(), self.ground.equilibrium_gap(), 0.0);
+        let (scale, rest, mut sum) = (self.gap_scale(), self.half_space.equilibrium_gap(), 0.0);
         self.over_underside(values, |gap, area, _| sum += area * ((gap + scale) / (rest + scale)).ln());
         sum / self.front_norm()
     }
 
     fn front_norm(&self) -> f64 {
-        let (scale, rest) = (self.gap_scale(), self.ground.equilibrium_gap());
-        self.mean_width() * ((10.0 * self.ground.equilibrium_distance + scale) / (rest + scale)).ln()
+        let (scale, rest) = (self.gap_scale(), self.half_space.equilibrium_gap());
+        self.mean_width() * ((10.0 * self.half_space.equilibrium_distance + scale) / (rest + scale)).ln()
     }
 
     fn evaluation(&self, values: &[f64], energy: f64) -> Evaluation {
@@ -346,7 +352,7 @@ impl System for SolidSpatula {
     }
 
     fn is_admissible(&self, at: &State) -> bool {
-        let nearest = NEAREST * self.ground.equilibrium_gap();
+        let nearest = NEAREST * self.half_space.equilibrium_gap();
         self.gaps(&at.values).into_iter().take(self.adhering_stations()).all(|gap| gap > nearest)
     }
 }

@@ -22,6 +22,8 @@ use std::path::{Path, PathBuf};
 /// What is shown of a strip, over its height, and of a spatula, over the thickness of its pad.
 const WINDOW: f64 = 4.0;
 const WINDOW_OF_SPATULA: f64 = 12.0;
+/// Points of the surface of the ground, less one.
+const SURFACE: usize = 200;
 /// Height of the panel of the strip over its width: lengths are alike along both axes.
 const ASPECT: f64 = 0.55;
 /// Height of the panel of the traction, and what is between, pixels.
@@ -98,8 +100,10 @@ fn state(
 ) -> [Panel; 2] {
     let of = |s: f64, height: f64| peel.body.place_at(at.values(), [s, height]).into();
     let [underside, _] = peel.body.faces();
+    let substrate = peel.body.substrate();
     let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, underside)).collect();
-    let traction: Vec<(f64, f64)> = face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(y))).collect();
+    let traction: Vec<(f64, f64)> =
+        face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(substrate.project(x, y).distance))).collect();
     // downwards on the strip: where the ground holds it most
     let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
     let right = face.last().map_or(width, |last| last.0);
@@ -134,7 +138,8 @@ fn state(
     let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).filter(inside).collect());
     let lines = lines_across.filter(|points| points.iter().all(inside)).chain(lines_along);
     body.lines = lines.map(|points| Line::plain(points, thin())).collect();
-    body.lines.push(Line::plain(vec![(from, 0.0), (from + width, 0.0)], Stroke::solid(colour::INK, 2.0)));
+    let surface = (0..=SURFACE).map(|k| from + width * k as f64 / SURFACE as f64).map(|x| (x, substrate.top(x, x)));
+    body.lines.push(Line::plain(surface.collect(), Stroke::solid(colour::INK, 2.0)));
     let shown = traction.iter().filter(|at| at.0 >= from && at.0 <= from + width).map(|at| at.1);
     let y = Axis::around("T (MPa)", shown.chain([0.0]), false);
     let line = Line::plain(traction, Stroke::solid(colour::VERMILLION, 1.6));

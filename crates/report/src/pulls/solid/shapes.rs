@@ -3,7 +3,6 @@
 use super::fields::chosen;
 use crate::chart::picture::{Heading, Picture};
 use crate::pictures::shapes::posed::{Posed, shapes_picture};
-use peelkit::adhesion::Substrate;
 use peelkit::study::{DeformedShape, SolidPeel, SolidPoint};
 
 /// Fronts that are nearer to one another than this share of what adheres are one picture.
@@ -25,7 +24,7 @@ pub(super) fn shapes(peel: &SolidPeel, heading: Heading) -> Picture {
         axis: axis(peel, at),
         thickness: 1.0,
     };
-    shapes_picture(&shown.iter().enumerate().map(pose).collect::<Vec<_>>(), &Substrate::default(), heading)
+    shapes_picture(&shown.iter().enumerate().map(pose).collect::<Vec<_>>(), peel.body.substrate(), heading)
 }
 
 /// The middle of its thickness, with what is above and below it: a spatula is shown in its plane of symmetry.
