@@ -253,10 +253,11 @@ pub fn peel_solid_on(
     checkpoint: &Checkpoint,
 ) -> Result<SolidPeel, SolidError> {
     let body = settings.body(model)?;
-    let problem = body.problem();
-    let (traced, points) = Traced::follow(&body, &problem, options, checkpoint);
+    let mut problem = body.problem();
+    let (traced, points) = Traced::follow(&body, &mut problem, options, checkpoint);
+    let problem = problem;
     let is_asked = !(traced.found.is_empty() && options.stop.events.is_empty());
-    let finer = (options.bounded > 0 && is_asked).then(|| Finer::new(&body));
+    let finer = (options.bounded > 0 && is_asked).then(|| Finer::new(&body, &problem));
     let bounded = |index: usize| finer.as_ref().filter(|_| index < options.bounded);
     let solutions = &traced.solutions;
     let limit_points = traced.found.iter().enumerate().map(|(index, (kind, after, located))| {
@@ -298,7 +299,7 @@ impl Traced {
     /// From rest to its end, with its points; a few solutions may be known behind the last of them.
     fn follow(
         body: &SolidBody,
-        problem: &Problem,
+        problem: &mut Problem,
         options: &SolidOptions,
         checkpoint: &Checkpoint,
     ) -> (Self, Vec<SolidPoint>) {
@@ -319,7 +320,12 @@ impl Traced {
                 Ok(start) => Path::from(problem, how, start),
                 Err(end) => return (Self::ended(end), Vec::new()),
             },
-            SolidBody::Strip(_) | SolidBody::Spatula(_) => Path::new(problem, how),
+            SolidBody::Spatula(_) | SolidBody::Strip(_) => {
+                if let (false, Some(first)) = (body.substrate().is_flat(), taken.first()) {
+                    problem.grip.origin = problem.system.interface_values(&first.point.at);
+                }
+                Path::new(problem, how)
+            }
         };
         let path = path.until(options.stop.for_solves(Stage::Path)).knowing(taken);
         let mut tracer = PathTracer::new(problem, path, TraceOptions::default());
@@ -413,12 +419,17 @@ impl Traced {
 const SETTLING: f64 = 0.3;
 
 /// A spatula at rest: it is bonded along its pad without stress, or pressed on uneven ground, which is no equilibrium.
-fn settled(spatula: &SolidSpatula, problem: &Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
+fn settled(spatula: &SolidSpatula, problem: &mut Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
     let mut ws = Workspace::until(options.stop.for_solves(Stage::Path));
-    let held = Held::Displacement(0.0);
+    // on uneven ground it lies where no force holds it, and displacements count from there
+    let held = if spatula.substrate().is_flat() { Held::Displacement(0.0) } else { Held::Force(0.0) };
     let guess = spatula.mesh.pressed.map_or_else(|| spatula.at_rest(), |pad| spatula.conformed(pad));
     let relaxed = relax(problem, guess, held, &RelaxOptions::by(SETTLING), &mut ws);
-    relaxed.map(|relaxed| relaxed.solution.at).map_err(|cause| match options.stop.reached_bound(Stage::Path) {
+    let relaxed = relaxed.map(|relaxed| relaxed.solution.at);
+    if let (Held::Force(_), Ok(at)) = (held, &relaxed) {
+        problem.grip.origin = problem.system.interface_values(at);
+    }
+    relaxed.map_err(|cause| match options.stop.reached_bound(Stage::Path) {
         Some(bound) => SolidPathEnd::Bound(bound),
         None => SolidPathEnd::NotAtRest(cause),
     })
@@ -529,9 +540,10 @@ struct Finer<'s> {
 }
 
 impl<'s> Finer<'s> {
-    fn new(coarse: &'s SolidBody) -> Self {
+    fn new(coarse: &'s SolidBody, on_coarse: &Problem) -> Self {
         let FinerBody { body: fine, factor } = coarse.finer();
-        Self { coarse, problem: fine.problem(), fine, factor }
+        let problem = Problem { grip: on_coarse.grip.clone(), ..fine.problem() };
+        Self { coarse, problem, fine, factor }
     }
 
     /// Errors of a limit point; `width` is the length over which the front moves on its step.

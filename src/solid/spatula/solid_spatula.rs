@@ -47,6 +47,8 @@ pub struct SolidSpatula {
     pub(super) axis: Vec<[f64; 2]>,
     /// x and y of the nodes of the underside at rest, station by station, nm
     underside: Vec<Vec<[f64; 2]>>,
+    /// Unknowns that stay: on uneven ground the tip is held along it, in the middle of its thickness
+    pub(super) held: Vec<usize>,
     pub(super) ground: SolidGround,
     pub(super) half_space: HalfSpace,
     pub(super) material: NeoHookean,
@@ -110,7 +112,24 @@ impl SolidSpatula {
         };
         let underside = mesh.stations.iter().enumerate().map(node).collect();
         let half_space = ground.half_space;
-        Self { mesh, layout, elements, places, geometry, axis, underside, ground, half_space, material, youngs_modulus }
+        let held = match ground.substrate.is_flat() {
+            true => Vec::new(),
+            false => (0..layout.lines()).filter_map(|line| layout.unknown(0, (1, line), false, 0)).collect(),
+        };
+        Self {
+            mesh,
+            layout,
+            elements,
+            places,
+            geometry,
+            axis,
+            underside,
+            held,
+            ground,
+            half_space,
+            material,
+            youngs_modulus,
+        }
     }
 
     /// Number of elements.

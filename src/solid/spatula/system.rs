@@ -83,6 +83,7 @@ impl SolidSpatula {
             energy += work.energy;
             self.scatter(&work.residual, index, &mut residual);
         }
+        self.held.iter().for_each(|&held| residual[held] = 0.0);
         (energy, residual)
     }
 
@@ -231,6 +232,11 @@ impl System for SolidSpatula {
                 self.scatter(&work.residual, index, &mut residual);
                 self.add_to_front(work, index, front, width);
             }
+            for &held in self.held.iter().filter(|_| column == 0) {
+                residual[held] = 0.0;
+                (0..width).for_each(|k| (front[held * width + k], front[k * width + held]) = (0.0, 0.0));
+                front[held * width + held] = self.youngs_modulus;
+            }
             if damping > 0.0 {
                 let own = self.damping(column);
                 own.iter().enumerate().for_each(|(k, own)| front[k * width + k] += damping * own);
@@ -310,6 +316,7 @@ impl System for SolidSpatula {
         let mut gradient = vec![0.0; at.values.len()];
         let (scale, unit) = (self.gap_scale(), weights[0] / self.front_norm());
         self.over_underside(&at.values, |gap, area, add| add(unit * area / (gap + scale), &mut gradient));
+        self.held.iter().for_each(|&held| gradient[held] = 0.0);
         gradient
     }
 
