@@ -542,7 +542,7 @@ struct Finer<'s> {
 impl<'s> Finer<'s> {
     fn new(coarse: &'s SolidBody, on_coarse: &Problem) -> Self {
         let FinerBody { body: fine, factor } = coarse.finer();
-        let problem = Problem { grip: on_coarse.grip.clone(), ..fine.problem() };
+        let problem = Problem { grip: on_coarse.grip, ..fine.problem() };
         Self { coarse, problem, fine, factor }
     }
 
