@@ -109,7 +109,7 @@ impl SolidSpatulaSettings {
     /// model.grip.rotation = Hold::Fixed;
     /// model.adhesion.far_face = false;
     /// let spatula = SolidSpatulaSettings::default().spatula(&model)?;
-    /// assert_eq!((spatula.elements(), spatula.unknowns()), (316, 13316));
+    /// assert_eq!((spatula.elements(), spatula.unknowns()), (316, 13317));
     /// let error = SolidSpatulaSettings { across: 0, ..Default::default() }.spatula(&model).unwrap_err();
     /// assert_eq!(error.key(), "solid.across");
     /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
@@ -118,7 +118,8 @@ impl SolidSpatulaSettings {
         let (body, mesh) = self.mesh(model)?;
         let material = (body.material.youngs_modulus, body.material.poissons_ratio);
         let ground = (model.adhesion.half_space(), model.ground.substrate.clone());
-        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, mesh))
+        let held = [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed);
+        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, held, mesh))
     }
 
     /// The outline of a model and its mesh.
@@ -188,12 +189,6 @@ fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
-        (model.grip.rotation == Hold::Free, "grip.rotation", "has an end face that does not turn"),
-        (
-            model.grip.horizontal == Hold::Fixed,
-            "grip.horizontal",
-            "has an end face that moves freely along the substrate",
-        ),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
         (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
         (model.pull != Pull::UP, "drive.angle", "is pulled straight up"),

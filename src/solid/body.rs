@@ -172,7 +172,7 @@ impl SolidBody {
     pub(crate) fn end_rotation(&self, values: &[f64]) -> f64 {
         match self {
             Self::Strip(strip) => strip.end_rotation(&strip.displacements(values)),
-            Self::Spatula(_) => 0.0,
+            Self::Spatula(spatula) => spatula.end_rotation(values),
         }
     }
 

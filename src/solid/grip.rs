@@ -26,7 +26,7 @@ pub(crate) const HEIGHT: usize = 0;
 pub(crate) const ROTATION: usize = 1;
 pub(crate) const PLACE: usize = 2;
 
-const NAMES: [Unknown; 3] = [
+pub(super) const NAMES: [Unknown; 3] = [
     Unknown { name: "height of the right end", unit: "nm" },
     Unknown { name: "rotation of the right end", unit: "rad" },
     Unknown { name: "place of the right end along the substrate", unit: "nm" },

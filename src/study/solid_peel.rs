@@ -23,6 +23,7 @@ use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptio
 use crate::solve::problem::Problem;
 use crate::solve::relax::{Held, RelaxError, RelaxOptions, relax};
 use crate::solve::state::{Observables, PathConstraint, State};
+use crate::solve::system::INTERFACE;
 use crate::solve::workspace::{Pace, Workspace};
 use std::sync::Arc;
 
@@ -421,10 +422,15 @@ const SETTLING: f64 = 0.3;
 /// A spatula at rest: it is bonded along its pad without stress, or pressed on uneven ground, which is no equilibrium.
 fn settled(spatula: &SolidSpatula, problem: &mut Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
     let mut ws = Workspace::until(options.stop.for_solves(Stage::Path));
-    // on uneven ground it lies where no force holds it, and displacements count from there
+    // on uneven ground it lies where nothing holds its end, and displacements count from there
     let held = if spatula.substrate().is_flat() { Held::Displacement(0.0) } else { Held::Force(0.0) };
     let guess = spatula.mesh.pressed.map_or_else(|| spatula.at_rest(), |pad| spatula.conformed(pad));
+    let own = problem.grip.held;
+    if let Held::Force(_) = held {
+        problem.grip.held = [false; INTERFACE];
+    }
     let relaxed = relax(problem, guess, held, &RelaxOptions::by(SETTLING), &mut ws);
+    problem.grip.held = own;
     let relaxed = relaxed.map(|relaxed| relaxed.solution.at);
     if let (Held::Force(_), Ok(at)) = (held, &relaxed) {
         problem.grip.origin = problem.system.interface_values(at);

@@ -1,6 +1,7 @@
 //! Displacements, places and stresses of a solid spatula at any of its points, and its state on another mesh.
 
 use super::element::{Element, ElementPlace, quadratic};
+use super::end_face::turned;
 use super::layout::{ACROSS, ALONG, ELEMENT, FUNCTIONS, THROUGH};
 use super::material::Vector;
 use super::solid_spatula::SolidSpatula;
@@ -93,9 +94,16 @@ impl SolidSpatula {
     /// Displacement of a node: station, node through the thickness (0 to 2, the underside first) and across.
     pub fn displacement(&self, values: &[f64], station: usize, (through, across): (usize, usize)) -> [f64; 3] {
         debug_assert!(through < THROUGH);
-        std::array::from_fn(|axis| {
-            self.layout.unknown(station, (through, across), false, axis).map_or(0.0, |unknown| values[unknown])
-        })
+        std::array::from_fn(|axis| self.number(values, station, (through, across), (false, axis)))
+    }
+
+    /// A number of a node: displacement or its slope, x, y or z.
+    fn number(&self, values: &[f64], station: usize, node: (usize, usize), (slope, axis): (bool, usize)) -> f64 {
+        let own = self.layout.unknown(station, node, slope, axis).map_or(0.0, |unknown| values[unknown]);
+        if slope || axis == 2 || station < self.layout.columns {
+            return own;
+        }
+        own + turned(self.rotation(values), self.end_face.lever(node))[axis]
     }
 
     /// t of a line of nodes across.
@@ -123,14 +131,15 @@ impl SolidSpatula {
                         let factor = if slope { 2.0 * by_xi / length } else { value };
                         for (side, [share, _]) in shares.into_iter().enumerate() {
                             let node = (through, (ACROSS - 1) * strip + side);
-                            let from = other.layout.unknown(column + along / 2, node, along % 2 == 1, axis);
-                            sum += factor * share * from.map_or(0.0, |from| at.values[from]);
+                            let from = other.number(&at.values, column + along / 2, node, (along % 2 == 1, axis));
+                            sum += factor * share * from;
                         }
                     }
                     values[unknown] = sum;
                 }
             }
         }
+        values[self.interface_start()..].copy_from_slice(&at.values[other.interface_start()..]);
         State { values, force: at.force, ..self.at_rest() }
     }
 }

@@ -64,6 +64,11 @@ impl SolidGeometry {
         (0.5 * section.height[1]).atan() + section.underside[0]
     }
 
+    /// θ0 of the section at a place, rad.
+    pub(crate) fn rotation_at(&self, place: f64) -> f64 {
+        Self::rotation(&self.outline.at(place))
+    }
+
     /// x and y of the axis at these places, which ascend from 0, nm.
     pub(crate) fn axis(&self, stations: &[f64]) -> Vec<[f64; 2]> {
         let rule = Rule::new(AXIS_POINTS);

@@ -1,14 +1,12 @@
 //! Where unknowns stand: station by station along S, at each of them the nodes of the section, at each node u and its slope by S.
 //!
-//! On the plane of symmetry u_z is zero. The end face moves as a whole, by one u_x and one u_y; its slopes stay free. On level ground its u_x is held at
-//! zero: no force is needed for that, as the ground resists no sliding.
+//! On the plane of symmetry u_z is zero. The end face moves and turns as a whole ([`super::end_face`]), by the unknowns of a rigid grip of a strip; its
+//! slopes stay free.
 
-/// Slot of the interface: u_y of the end face.
-pub(super) const HEIGHT: usize = 0;
-/// That of its u_x.
-pub(super) const ALONG_GROUND: usize = 1;
+use crate::solid::grip::{HEIGHT, NAMES, PLACE};
+
 /// Unknowns of the interface.
-pub(super) const OF_FACE: usize = 2;
+pub(super) const OF_FACE: usize = NAMES.len();
 
 /// Nodes of an element through the thickness, and across it.
 pub(super) const THROUGH: usize = 3;
@@ -72,7 +70,7 @@ impl Layout {
         layout.face = slopes + OF_FACE;
         for (number, place) in layout.last.iter_mut().enumerate() {
             match number % 6 {
-                0 => *place = Some(slopes + ALONG_GROUND),
+                0 => *place = Some(slopes + PLACE),
                 1 => *place = Some(slopes + HEIGHT),
                 _ => {}
             }

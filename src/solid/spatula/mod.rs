@@ -4,6 +4,7 @@
 //! The ground acts on the underside. A beam has sections that stay plane; here they may warp, bend across the width and thin.
 
 mod element;
+mod end_face;
 mod fields;
 mod geometry;
 mod ground;

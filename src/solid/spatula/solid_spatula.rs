@@ -1,14 +1,16 @@
 //! Half a spatula as a solid: its mesh, its elements, and what is asked of its displacements.
 
 use super::element::{Element, ElementPlace, ElementWork};
+use super::end_face::{EndFace, turned};
 use super::geometry::SolidGeometry;
 use super::ground::SolidGround;
-use super::layout::{ELEMENT, Layout};
+use super::layout::{ELEMENT, Layout, OF_FACE};
 use super::material::NeoHookean;
 use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::varying::BeamGeometry;
 use crate::solid::contact::{DETACHED, GAP_SCALE};
+use crate::solid::grip::ROTATION;
 use crate::solid::mesh::halved;
 use crate::solve::state::{Mesh, State};
 use rayon::prelude::*;
@@ -47,8 +49,11 @@ pub struct SolidSpatula {
     pub(super) axis: Vec<[f64; 2]>,
     /// x and y of the nodes of the underside at rest, station by station, nm
     underside: Vec<Vec<[f64; 2]>>,
-    /// Unknowns that stay: on uneven ground the tip is held along it, in the middle of its thickness
-    pub(super) held: Vec<usize>,
+    /// Unknowns that stay, where the tip is held along the ground: in the middle of its thickness
+    pub(super) anchored: Vec<usize>,
+    pub(super) end_face: EndFace,
+    /// Whether the grip holds the rotation and the horizontal place of the end face
+    pub(super) held: [bool; 2],
     pub(super) ground: SolidGround,
     pub(super) half_space: HalfSpace,
     pub(super) material: NeoHookean,
@@ -57,30 +62,33 @@ pub struct SolidSpatula {
 }
 
 impl SolidSpatula {
-    /// Of an outline, of E (GPa) and ν, on a half space with this surface.
+    /// Of an outline, of E (GPa) and ν, on a half space with this surface, in a grip that holds the rotation and the horizontal place of its end face or
+    /// does not. On level ground the tip slides freely where the place is not held.
     pub fn new(
         outline: Arc<dyn BeamGeometry>,
         (youngs_modulus, poissons_ratio): (f64, f64),
         (half_space, substrate): (HalfSpace, Substrate),
+        held: [bool; 2],
         mesh: SpatulaMesh,
     ) -> Self {
         let geometry = SolidGeometry::new(outline, half_space.equilibrium_gap());
         let ground = SolidGround { half_space, substrate };
         let material = NeoHookean::new(youngs_modulus, poissons_ratio);
-        Self::on(geometry, (material, youngs_modulus), ground, mesh)
+        Self::on(geometry, (material, youngs_modulus), ground, held, mesh)
     }
 
     /// The same with every element cut in two along S and across.
     pub(crate) fn refined(&self) -> Self {
         let SpatulaMesh { stations, sides, .. } = &self.mesh;
         let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), ..self.mesh };
-        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground.clone(), mesh)
+        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground.clone(), self.held, mesh)
     }
 
     fn on(
         geometry: SolidGeometry,
         (material, youngs_modulus): (NeoHookean, f64),
         ground: SolidGround,
+        held: [bool; 2],
         mesh: SpatulaMesh,
     ) -> Self {
         let axis = geometry.axis(&mesh.stations);
@@ -102,20 +110,23 @@ impl SolidSpatula {
             (Element::new(&place), layout.places(column, strip))
         };
         let (elements, places) = (0..layout.columns * layout.strips).into_par_iter().map(of).unzip();
-        let node = |(station, &place): (usize, &f64)| {
-            let line = |line: usize| {
-                let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
-                let t = if line.is_multiple_of(2) { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
-                geometry.in_plane(place, axis[station], -1.0, t).place
-            };
-            (0..layout.lines()).map(line).collect()
+        let node = |station: usize, zeta: f64, line: usize| {
+            let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
+            let t = if line.is_multiple_of(2) { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
+            geometry.in_plane(mesh.stations[station], axis[station], zeta, t).place
         };
-        let underside = mesh.stations.iter().enumerate().map(node).collect();
+        let lines = layout.lines();
+        let underside =
+            (0..=layout.columns).map(|station| (0..lines).map(|line| node(station, -1.0, line)).collect()).collect();
+        let end_face = EndFace::new(lines, |(through, line)| {
+            let ([x, y], middle) = (node(layout.columns, through as f64 - 1.0, line), axis[layout.columns]);
+            [x - middle[0], y - middle[1]]
+        });
         let half_space = ground.half_space;
-        let held = match ground.substrate.is_flat() {
-            true => Vec::new(),
-            false => (0..layout.lines()).filter_map(|line| layout.unknown(0, (1, line), false, 0)).collect(),
-        };
+        // on level ground no force is needed to hold the place of what slides freely
+        let slides = ground.substrate.is_flat() && !held[1];
+        let anchor = |line: usize| layout.unknown(0, (1, line), false, 0).filter(|_| !slides);
+        let anchored = (0..lines).filter_map(anchor).collect();
         Self {
             mesh,
             layout,
@@ -124,6 +135,8 @@ impl SolidSpatula {
             geometry,
             axis,
             underside,
+            anchored,
+            end_face,
             held,
             ground,
             half_space,
@@ -173,7 +186,33 @@ impl SolidSpatula {
     pub(super) fn moved(&self, values: &[f64], index: usize) -> [f64; ELEMENT] {
         let own = &values[self.layout.start(self.column_of(index))..];
         let places = &self.places[index];
-        std::array::from_fn(|k| places[k].map_or(0.0, |place| own[place]))
+        let mut moved = std::array::from_fn(|k| places[k].map_or(0.0, |place| own[place]));
+        for (k, lever) in self.on_end_face(index) {
+            let [x, y] = turned(self.rotation(values), lever);
+            (moved[3 * k], moved[3 * k + 1]) = (moved[3 * k] + x, moved[3 * k + 1] + y);
+        }
+        moved
+    }
+
+    /// The functions of an element that move with the end face, with their levers: none unless it is next to it.
+    pub(super) fn on_end_face(&self, index: usize) -> impl Iterator<Item = (usize, [f64; 2])> {
+        let strip = (self.column_of(index) + 1 == self.layout.columns).then_some(index % self.layout.strips);
+        strip.into_iter().flat_map(|strip| self.end_face.functions(strip))
+    }
+
+    /// The first unknown of the interface.
+    pub(super) fn interface_start(&self) -> usize {
+        self.unknowns() - OF_FACE
+    }
+
+    /// How far the end face has turned, rad.
+    pub(super) fn rotation(&self, values: &[f64]) -> f64 {
+        values[self.interface_start() + ROTATION]
+    }
+
+    /// The rotation of the end face, rad.
+    pub(crate) fn end_rotation(&self, values: &[f64]) -> f64 {
+        self.geometry.rotation_at(self.mesh.stations[self.layout.columns]) + self.rotation(values)
     }
 
     /// What an element adds at these values.

@@ -1,9 +1,11 @@
 //! A solid spatula as a [`System`]: elimination station by station, from the tip to the end face.
 
 use super::element::ElementWork;
-use super::layout::{ALONG_GROUND, ELEMENT, HEIGHT, OF_FACE};
+use super::end_face::per_turn;
+use super::layout::{ELEMENT, OF_FACE};
 use super::solid_spatula::SolidSpatula;
 use crate::solid::front::{Elimination, Pivots};
+use crate::solid::grip::{HEIGHT, NAMES, PLACE, ROTATION};
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
 use crate::solve::state::{MONITORS, State};
@@ -24,11 +26,6 @@ struct Factors {
     carried: Vec<f64>,
 }
 
-const NAMES: [Unknown; OF_FACE] = [
-    Unknown { name: "height of the end face", unit: "nm" },
-    Unknown { name: "place of the end face along the ground", unit: "nm" },
-];
-
 /// Columns whose elements are computed side by side: what they add is kept meanwhile.
 const AT_ONCE: usize = 16;
 /// Share of what changes a displacement off the underside beside one on it, and of the slope by S times the distance of stations.
@@ -44,13 +41,14 @@ const NEAREST: f64 = 0.3;
 const FRONT_SCALE: f64 = 10.0;
 
 impl SolidSpatula {
-    /// What is to be solved: the spatula in its grip, whose end face is driven straight up without turning.
+    /// What is to be solved: the spatula in its grip, which drives its end face straight up.
     pub fn problem(self: &Arc<Self>) -> Problem {
         let mut grip = EndConditions::drive(HEIGHT);
-        for slot in [HEIGHT, ALONG_GROUND] {
-            grip.scale[slot] = self.half_space.equilibrium_distance;
-        }
-        grip.held[ALONG_GROUND] = self.ground.substrate.is_flat();
+        let distance = self.half_space.equilibrium_distance;
+        (grip.scale[HEIGHT], grip.scale[PLACE]) = (distance, distance);
+        grip.scale[ROTATION] = distance / self.end_face.longest();
+        // what slides freely is kept where it is
+        (grip.held[ROTATION], grip.held[PLACE]) = (self.held[0], self.held[1] || self.anchored.is_empty());
         let measure = PathMeasure {
             monitors: [FRONT_SCALE, f64::INFINITY],
             force: self.half_space.work_of_adhesion() * self.mean_width(),
@@ -81,18 +79,23 @@ impl SolidSpatula {
         let (mut energy, mut residual) = (0.0, vec![0.0; self.unknowns()]);
         for (index, work) in works.iter().enumerate() {
             energy += work.energy;
-            self.scatter(&work.residual, index, &mut residual);
+            self.scatter(values, work, index, &mut residual);
         }
-        self.held.iter().for_each(|&held| residual[held] = 0.0);
+        self.anchored.iter().for_each(|&anchored| residual[anchored] = 0.0);
         (energy, residual)
     }
 
-    fn scatter(&self, own: &[f64; ELEMENT], index: usize, all: &mut [f64]) {
+    fn scatter(&self, values: &[f64], work: &ElementWork, index: usize, all: &mut [f64]) {
         let start = self.layout.start(self.column_of(index));
-        for (place, value) in self.places(index).iter().zip(own) {
+        for (place, value) in self.places(index).iter().zip(&work.residual) {
             if let Some(place) = place {
                 all[start + place] += value;
             }
+        }
+        let turned = self.interface_start() + ROTATION;
+        for (k, lever) in self.on_end_face(index) {
+            let (by, _) = per_turn(self.rotation(values), lever);
+            all[turned] += by[0] * work.residual[3 * k] + by[1] * work.residual[3 * k + 1];
         }
     }
 
@@ -112,6 +115,28 @@ impl SolidSpatula {
         }
     }
 
+    /// Adds what belongs to the rotation of the end face: aᵀK of the other unknowns and aᵀK a + Σ f·∂²u/∂φ², with a = ∂u/∂φ.
+    fn add_turn_to_front(&self, values: &[f64], work: &ElementWork, index: usize, front: &mut [f64], width: usize) {
+        let turned = self.interface_start() + ROTATION - self.layout.start(self.column_of(index));
+        let mut turn = [0.0; ELEMENT];
+        for (k, lever) in self.on_end_face(index) {
+            let (by, bend) = per_turn(self.rotation(values), lever);
+            for axis in 0..2 {
+                turn[3 * k + axis] = by[axis];
+                front[turned * width + turned] += bend[axis] * work.residual[3 * k + axis];
+            }
+        }
+        let tangent = |i: usize, j: usize| work.tangent[i.min(j) * ELEMENT + i.max(j)];
+        for (i, place) in self.places(index).iter().enumerate() {
+            let sum: f64 =
+                turn.iter().enumerate().filter(|(_, by)| **by != 0.0).map(|(j, by)| tangent(i, j) * by).sum();
+            front[turned * width + turned] += turn[i] * sum;
+            if let Some(place) = *place {
+                front[place.min(turned) * width + place.max(turned)] += sum;
+            }
+        }
+    }
+
     /// The distance of stations next to one, nm.
     fn spacing(&self, station: usize) -> f64 {
         let column = station.min(self.layout.columns - 1);
@@ -123,7 +148,8 @@ impl SolidSpatula {
         let slope = DAMPED_SLOPE * self.spacing(station).powi(2);
         if station == self.layout.columns {
             let mut damping = vec![slope; self.layout.face - OF_FACE];
-            damping.extend([1.0; OF_FACE]);
+            let turn = self.end_face.longest().powi(2);
+            damping.extend((0..OF_FACE).map(|slot| if slot == ROTATION { turn } else { 1.0 }));
             return damping;
         }
         self.layout.station.iter().map(|unknown| if unknown.slope { slope } else { 1.0 }).collect()
@@ -149,10 +175,6 @@ impl SolidSpatula {
         }
     }
 
-    fn interface_start(&self) -> usize {
-        self.unknowns() - OF_FACE
-    }
-
     /// ∫ ln((y + s)/(r_eq + s)) dA over the mean width, and over the logarithm at 10 r0, nm: how far the front has gone.
     fn front_position(&self, values: &[f64]) -> f64 {
         let (scale, rest, mut sum) = (self.gap_scale(), self.half_space.equilibrium_gap(), 0.0);
@@ -166,7 +188,8 @@ impl SolidSpatula {
     }
 
     fn evaluation(&self, values: &[f64], energy: f64) -> Evaluation {
-        Evaluation { energy, monitors: [self.front_position(values), 0.0], recorded: 0.0 }
+        let monitors = [self.front_position(values), 0.0];
+        Evaluation { energy, monitors, recorded: self.end_rotation(values) }
     }
 
     /// Elements of a span of columns at these values, with their tangents.
@@ -229,13 +252,16 @@ impl System for SolidSpatula {
                     return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place: self.place(column) });
                 }
                 energy += work.energy;
-                self.scatter(&work.residual, index, &mut residual);
+                self.scatter(values, work, index, &mut residual);
                 self.add_to_front(work, index, front, width);
+                if column + 1 == columns {
+                    self.add_turn_to_front(values, work, index, front, width);
+                }
             }
-            for &held in self.held.iter().filter(|_| column == 0) {
-                residual[held] = 0.0;
-                (0..width).for_each(|k| (front[held * width + k], front[k * width + held]) = (0.0, 0.0));
-                front[held * width + held] = self.youngs_modulus;
+            for &anchored in self.anchored.iter().filter(|_| column == 0) {
+                residual[anchored] = 0.0;
+                (0..width).for_each(|k| (front[anchored * width + k], front[k * width + anchored]) = (0.0, 0.0));
+                front[anchored * width + anchored] = self.youngs_modulus;
             }
             if damping > 0.0 {
                 let own = self.damping(column);
@@ -309,14 +335,14 @@ impl System for SolidSpatula {
         let evaluation = self.evaluation(&at.values, self.assembled(&at.values).0);
         let gradient = self.gradient(at, [1.0, 0.0]);
         let rate = gradient.iter().zip(direction).map(|(g, d)| g * d).sum();
-        (evaluation, Rates { monitors: [rate, 0.0], recorded: 0.0 })
+        (evaluation, Rates { monitors: [rate, 0.0], recorded: direction[self.interface_start() + ROTATION] })
     }
 
     fn gradient(&self, at: &State, weights: [f64; MONITORS]) -> Vec<f64> {
         let mut gradient = vec![0.0; at.values.len()];
         let (scale, unit) = (self.gap_scale(), weights[0] / self.front_norm());
         self.over_underside(&at.values, |gap, area, add| add(unit * area / (gap + scale), &mut gradient));
-        self.held.iter().for_each(|&held| gradient[held] = 0.0);
+        self.anchored.iter().for_each(|&anchored| gradient[anchored] = 0.0);
         gradient
     }
 
@@ -339,7 +365,8 @@ impl System for SolidSpatula {
         let last = unit(self.layout.columns);
         let slopes = self.layout.face - OF_FACE;
         units.resize(units.len() + slopes, OFF_FACE * SLOPE * last * self.spacing(self.layout.columns));
-        units.extend([last; OF_FACE]);
+        let turn = self.end_face.longest() * last;
+        units.extend((0..OF_FACE).map(|slot| if slot == ROTATION { turn } else { last }));
         units
     }
 
