@@ -3,7 +3,7 @@
 use super::body::Body;
 use super::check::error::ModelError;
 use super::peel::{Hold, PeelModel, Pull};
-use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings};
+use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings, drive_of};
 use crate::adhesion::section::law::Attraction;
 use crate::adhesion::section::line_load::LineLoad;
 use crate::solid::basis::{MOST_SOLID_ORDER, SolidElement};
@@ -202,7 +202,7 @@ impl SolidSettings {
             through: self.through,
             grading: self.grading,
         };
-        Ok(SolidStrip::new(design, [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed)))
+        Ok(SolidStrip::new(design, drive_of(model)))
     }
 
     fn check_strip(&self, model: &PeelModel) -> Result<(), SolidError> {
@@ -235,6 +235,9 @@ impl SolidSettings {
                 if hold == Hold::Fixed {
                     return Err(SolidError::TractionHolds { held });
                 }
+            }
+            if model.pull != Pull::UP {
+                return Err(not_of_solid("drive.angle", "in a parabolic grip is pulled straight up"));
             }
         }
         what_a_solid_has(model)
@@ -276,12 +279,6 @@ fn what_a_solid_has(model: &PeelModel) -> Result<(), SolidError> {
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
         (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
-        (
-            model.pull != Pull::UP && model.pull.turn != 0.0,
-            "drive.turn",
-            "is pulled by a grip that does not turn as it goes",
-        ),
-        (model.pull != Pull::UP, "drive.angle", "is pulled straight up"),
         (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
         (model.space.is_some(), "space", "is computed in the plane"),
     ];

@@ -4,9 +4,10 @@ use super::body::Body;
 use super::body::spatula::Spatula;
 use super::check::error::ModelError;
 use super::ground::Start;
-use super::peel::{Hold, PeelModel, Pull};
+use super::peel::{Hold, PeelModel};
 use crate::adhesion::section::law::Attraction;
 use crate::beam::varying::BeamGeometry;
+use crate::solid::grip::GripDrive;
 use crate::solid::spatula::solid_spatula::{SolidSpatula, SpatulaMesh};
 use std::sync::Arc;
 
@@ -118,8 +119,7 @@ impl SolidSpatulaSettings {
         let (body, mesh) = self.mesh(model)?;
         let material = (body.material.youngs_modulus, body.material.poissons_ratio);
         let ground = (model.adhesion.half_space(), model.ground.substrate.clone());
-        let held = [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed);
-        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, held, mesh))
+        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, drive_of(model), mesh))
     }
 
     /// The outline of a model and its mesh.
@@ -178,6 +178,12 @@ impl SolidSpatulaSettings {
     }
 }
 
+/// What the grip of a model does to a rigid end face.
+pub(super) fn drive_of(model: &PeelModel) -> GripDrive {
+    let [rotation, across] = [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed);
+    GripDrive { rotation, across, direction: model.pull.direction(), turn: model.pull.turn }
+}
+
 fn not_of_solid(key: &'static str, why: &'static str) -> SolidSpatulaError {
     SolidSpatulaError::NotOfSolid { key, why }
 }
@@ -191,7 +197,6 @@ fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
         (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
-        (model.pull != Pull::UP, "drive.angle", "is pulled straight up"),
         (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
         (model.space.is_some(), "space", "is in space already"),
     ];

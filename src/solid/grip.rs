@@ -9,6 +9,7 @@
 
 use super::basis::Factor;
 use super::tables::{Layout, gauss};
+use crate::solve::problem::{Direction, EndConditions};
 use crate::solve::system::Unknown;
 
 /// The grip of a solid.
@@ -19,6 +20,43 @@ pub enum SolidGrip {
     Rigid,
     /// A parabolic shear traction
     Parabolic,
+}
+
+/// What a grip holds of a rigid end face, and which way it moves that.
+#[derive(Clone, Copy, Debug)]
+pub struct GripDrive {
+    /// Whether it holds the rotation
+    pub rotation: bool,
+    /// Whether it holds the displacement across its way
+    pub across: bool,
+    /// Which way it goes
+    pub direction: Direction,
+    /// How far a held rotation goes along, rad/nm
+    pub turn: f64,
+}
+
+impl GripDrive {
+    /// Straight up, with nothing held.
+    pub const UP: Self = Self { rotation: false, across: false, direction: Direction::UP, turn: 0.0 };
+
+    /// As end conditions, with an error of each unknown by that of the height, nm, and the longest lever of the face, nm.
+    pub(crate) fn conditions(&self, scale: f64, lever: f64) -> EndConditions {
+        let mut grip = EndConditions {
+            across: Some(PLACE),
+            direction: self.direction,
+            geared: ROTATION,
+            gear: if self.rotation { self.turn } else { 0.0 },
+            ..EndConditions::drive(HEIGHT)
+        };
+        (grip.scale[HEIGHT], grip.scale[ROTATION], grip.scale[PLACE]) = (scale, scale / lever, scale);
+        (grip.held[ROTATION], grip.held[PLACE]) = (self.rotation, self.across);
+        grip
+    }
+
+    /// Whether it may need a force along the ground.
+    pub(crate) fn pulls_along(&self) -> bool {
+        self.across || self.direction != Direction::UP
+    }
 }
 
 /// Slots of the interface of a rigid face; of a parabolic traction the first alone.

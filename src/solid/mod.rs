@@ -19,7 +19,7 @@ mod transfer;
 pub use basis::{MOST_SOLID_ORDER, SolidElement};
 pub use body::SolidBody;
 pub use contact::SolidContact;
-pub use grip::SolidGrip;
+pub use grip::{GripDrive, SolidGrip};
 pub use material::{Plane, SolidMaterial};
 pub use mesh::Grading;
 pub use strip::SolidStrip;

@@ -5,7 +5,7 @@
 
 use super::basis::{MOST_SOLID_ORDER, SolidElement};
 use super::contact::{ContactResponse, DETACHED, GAP_SCALE, SolidContact};
-use super::grip::{GripMap, SolidGrip};
+use super::grip::{GripDrive, GripMap, SolidGrip};
 use super::material::{Elastic, Plane, SolidMaterial};
 use super::mesh::{Grading, StripMesh};
 use super::tables::{GroundPoints, Layout, RowTable, TableOptions};
@@ -42,8 +42,8 @@ pub struct SolidStrip {
     pub(crate) rows: Vec<RowTable>,
     pub(crate) layout: Layout,
     pub(crate) grip: GripMap,
-    /// Whether the end conditions hold the rotation and the horizontal place of a rigid face
-    pub(crate) held: [bool; 2],
+    /// What the grip does to a rigid face
+    pub(crate) drive: GripDrive,
     elastic: Elastic,
 }
 
@@ -70,24 +70,24 @@ pub(crate) struct ElementWork {
 }
 
 impl SolidStrip {
-    pub(crate) fn new(design: StripDesign, held: [bool; 2]) -> Self {
+    pub(crate) fn new(design: StripDesign, drive: GripDrive) -> Self {
         let StripDesign { length, height, along, through, grading, .. } = design;
-        Self::on(StripMesh::new(length, height, along, through, grading), design, held)
+        Self::on(StripMesh::new(length, height, along, through, grading), design, drive)
     }
 
     /// The same on a finer discretisation: one order more of Q(p,q), every column and row cut in two of other elements.
     pub(crate) fn refined(&self) -> Self {
-        let Self { design, held, .. } = *self;
+        let Self { design, drive, .. } = *self;
         match design.element {
             SolidElement::Full { along, through } if along.max(through) < MOST_SOLID_ORDER => {
                 let element = SolidElement::Full { along: along + 1, through: through + 1 };
-                Self::on(self.mesh.clone(), StripDesign { element, ..design }, held)
+                Self::on(self.mesh.clone(), StripDesign { element, ..design }, drive)
             }
-            _ => Self::on(self.mesh.halved(), StripDesign { along: 0.5 * design.along, ..design }, held),
+            _ => Self::on(self.mesh.halved(), StripDesign { along: 0.5 * design.along, ..design }, drive),
         }
     }
 
-    fn on(mesh: StripMesh, design: StripDesign, held: [bool; 2]) -> Self {
+    fn on(mesh: StripMesh, design: StripDesign, drive: GripDrive) -> Self {
         let StripDesign { element, along, .. } = design;
         let is_traction = design.contact != SolidContact::BodyForce;
         let distance = design.ground.equilibrium_distance;
@@ -103,7 +103,7 @@ impl SolidStrip {
         let layout = Layout::new(element, &mesh, &rows);
         let grip = GripMap::new(design.grip, &layout, &mesh.heights);
         let elastic = Elastic::new(design.energy, design.plane, &design.material);
-        Self { design, mesh, rows, layout, grip, held, elastic }
+        Self { design, mesh, rows, layout, grip, drive, elastic }
     }
 
     /// Unknowns, those of the grip in place of those of the last line.

@@ -4,7 +4,7 @@
 //! left line is eliminated with what its rows share; the last line goes over to the unknowns of the grip.
 
 use super::front::{Elimination, Pivots};
-use super::grip::{HEIGHT, PLACE, ROTATION};
+use super::grip::{HEIGHT, ROTATION, SolidGrip};
 use super::strip::{ElementWork, SolidStrip};
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
@@ -38,14 +38,13 @@ const MOST_GAP_CHANGE: f64 = 0.3;
 const NEAREST: f64 = 0.3;
 
 impl SolidStrip {
-    /// What is to be solved: the strip in its grip, driven straight up, from rest.
+    /// What is to be solved: the strip in its grip, from rest.
     pub fn problem(self: &Arc<Self>) -> Problem {
-        let mut grip = EndConditions::drive(HEIGHT);
         let distance = self.design.ground.equilibrium_distance;
-        grip.scale[HEIGHT] = distance;
-        grip.scale[ROTATION] = 2.0 * distance / self.design.height;
-        grip.scale[PLACE] = distance;
-        (grip.held[ROTATION], grip.held[PLACE]) = (self.held[0], self.held[1]);
+        let grip = match self.design.grip {
+            SolidGrip::Rigid => self.drive.conditions(distance, 0.5 * self.design.height),
+            SolidGrip::Parabolic => EndConditions { scale: [distance; INTERFACE], ..EndConditions::drive(HEIGHT) },
+        };
         let force = self.design.ground.work_of_adhesion() * self.design.width;
         let measure = PathMeasure {
             monitors: [self.design.height.min(0.1 * self.design.length), f64::INFINITY],

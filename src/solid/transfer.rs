@@ -82,7 +82,7 @@ impl SolidStrip {
 mod tests {
     use super::super::basis::SolidElement;
     use super::super::contact::SolidContact;
-    use super::super::grip::SolidGrip;
+    use super::super::grip::{GripDrive, SolidGrip};
     use super::super::material::{Plane, SolidMaterial};
     use super::super::mesh::Grading;
     use super::super::strip::{SolidStrip, StripDesign};
@@ -110,7 +110,7 @@ mod tests {
             through,
             grading: Grading::Grip { levels: 1, ratio: 0.4 },
         };
-        SolidStrip::new(design, [false; 2])
+        SolidStrip::new(design, GripDrive::UP)
     }
 
     fn all(along: f64, through: usize) -> impl Iterator<Item = (SolidElement, SolidStrip)> {

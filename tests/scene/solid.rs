@@ -83,7 +83,7 @@ fn what_a_solid_does_not_have_is_refused_by_its_own_key() {
         ("", "adhesion.law=bilinear", "adhesion.law", "half space"),
         ("", "strip.bending_stiffness_factor=2", "strip.bending_stiffness_factor", "as its material does"),
         ("", "friction.strength=50 MPa", "friction.strength", "slides freely"),
-        ("", "drive.angle=45 deg", "drive.angle", "straight up"),
+        ("grip = \"parabolic\"\n", "drive.angle=45 deg", "drive.angle", "straight up"),
         ("", "accuracy.order=4", "accuracy.order", "solid.element"),
         ("", "accuracy.elements=40", "accuracy.elements", "solid.along"),
         ("", "terms=auto", "terms", "all its terms"),

@@ -10,7 +10,7 @@ use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::varying::BeamGeometry;
 use crate::solid::contact::{DETACHED, GAP_SCALE};
-use crate::solid::grip::ROTATION;
+use crate::solid::grip::{GripDrive, ROTATION};
 use crate::solid::mesh::halved;
 use crate::solve::state::{Mesh, State};
 use rayon::prelude::*;
@@ -52,8 +52,7 @@ pub struct SolidSpatula {
     /// Unknowns that stay, where the tip is held along the ground: in the middle of its thickness
     pub(super) anchored: Vec<usize>,
     pub(super) end_face: EndFace,
-    /// Whether the grip holds the rotation and the horizontal place of the end face
-    pub(super) held: [bool; 2],
+    pub(super) drive: GripDrive,
     pub(super) ground: SolidGround,
     pub(super) half_space: HalfSpace,
     pub(super) material: NeoHookean,
@@ -62,33 +61,33 @@ pub struct SolidSpatula {
 }
 
 impl SolidSpatula {
-    /// Of an outline, of E (GPa) and ν, on a half space with this surface, in a grip that holds the rotation and the horizontal place of its end face or
-    /// does not. On level ground the tip slides freely where the place is not held.
+    /// Of an outline, of E (GPa) and ν, on a half space with this surface, in a grip. Its tip is held along the ground, in the middle of its thickness,
+    /// unless the ground is level and the grip goes straight up and holds nothing across: then no force is needed for that.
     pub fn new(
         outline: Arc<dyn BeamGeometry>,
         (youngs_modulus, poissons_ratio): (f64, f64),
         (half_space, substrate): (HalfSpace, Substrate),
-        held: [bool; 2],
+        drive: GripDrive,
         mesh: SpatulaMesh,
     ) -> Self {
         let geometry = SolidGeometry::new(outline, half_space.equilibrium_gap());
         let ground = SolidGround { half_space, substrate };
         let material = NeoHookean::new(youngs_modulus, poissons_ratio);
-        Self::on(geometry, (material, youngs_modulus), ground, held, mesh)
+        Self::on(geometry, (material, youngs_modulus), ground, drive, mesh)
     }
 
     /// The same with every element cut in two along S and across.
     pub(crate) fn refined(&self) -> Self {
         let SpatulaMesh { stations, sides, .. } = &self.mesh;
         let mesh = SpatulaMesh { stations: halved(stations), sides: halved(sides), ..self.mesh };
-        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground.clone(), self.held, mesh)
+        Self::on(self.geometry.clone(), (self.material, self.youngs_modulus), self.ground.clone(), self.drive, mesh)
     }
 
     fn on(
         geometry: SolidGeometry,
         (material, youngs_modulus): (NeoHookean, f64),
         ground: SolidGround,
-        held: [bool; 2],
+        drive: GripDrive,
         mesh: SpatulaMesh,
     ) -> Self {
         let axis = geometry.axis(&mesh.stations);
@@ -123,8 +122,7 @@ impl SolidSpatula {
             [x - middle[0], y - middle[1]]
         });
         let half_space = ground.half_space;
-        // on level ground no force is needed to hold the place of what slides freely
-        let slides = ground.substrate.is_flat() && !held[1];
+        let slides = ground.substrate.is_flat() && !drive.pulls_along();
         let anchor = |line: usize| layout.unknown(0, (1, line), false, 0).filter(|_| !slides);
         let anchored = (0..lines).filter_map(anchor).collect();
         Self {
@@ -137,7 +135,7 @@ impl SolidSpatula {
             underside,
             anchored,
             end_face,
-            held,
+            drive,
             ground,
             half_space,
             material,

@@ -5,9 +5,9 @@ use super::end_face::per_turn;
 use super::layout::{ELEMENT, OF_FACE};
 use super::solid_spatula::SolidSpatula;
 use crate::solid::front::{Elimination, Pivots};
-use crate::solid::grip::{HEIGHT, NAMES, PLACE, ROTATION};
+use crate::solid::grip::{NAMES, PLACE, ROTATION};
 use crate::solve::error::{Place, Quantity, SolveError};
-use crate::solve::problem::{EndConditions, InitialState, MeasuredBeside, PathMeasure, Problem};
+use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
 use crate::solve::state::{MONITORS, State};
 use crate::solve::system::{Coefficients, CondensedSystem, Evaluation, INTERFACE, Rates, System, Unknown};
 use crate::solve::workspace::Workspace;
@@ -41,14 +41,11 @@ const NEAREST: f64 = 0.3;
 const FRONT_SCALE: f64 = 10.0;
 
 impl SolidSpatula {
-    /// What is to be solved: the spatula in its grip, which drives its end face straight up.
+    /// What is to be solved: the spatula in its grip, from rest.
     pub fn problem(self: &Arc<Self>) -> Problem {
-        let mut grip = EndConditions::drive(HEIGHT);
-        let distance = self.half_space.equilibrium_distance;
-        (grip.scale[HEIGHT], grip.scale[PLACE]) = (distance, distance);
-        grip.scale[ROTATION] = distance / self.end_face.longest();
+        let mut grip = self.drive.conditions(self.half_space.equilibrium_distance, self.end_face.longest());
         // what slides freely is kept where it is
-        (grip.held[ROTATION], grip.held[PLACE]) = (self.held[0], self.held[1] || self.anchored.is_empty());
+        grip.held[PLACE] |= self.anchored.is_empty();
         let measure = PathMeasure {
             monitors: [FRONT_SCALE, f64::INFINITY],
             force: self.half_space.work_of_adhesion() * self.mean_width(),

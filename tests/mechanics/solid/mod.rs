@@ -3,6 +3,7 @@
 mod elements;
 mod first_peak;
 mod spatula;
+mod ways;
 mod whole_path;
 
 use peelkit::model::{PeelModel, SolidSettings, Strip, StripModel};

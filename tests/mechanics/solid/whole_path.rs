@@ -178,7 +178,6 @@ fn what_a_solid_does_not_have_is_refused() {
     assert_eq!(settings(&|s| s.grading = Grading::Grip { levels: 3, ratio: 1.0 }), "solid.grading");
     let model = |change: &dyn Fn(&mut peelkit::model::PeelModel)| refused(&good, change);
     assert_eq!(model(&|m| m.friction.strength = Some(0.01)), "friction.strength");
-    assert_eq!(model(&|m| m.pull.angle = 1.0), "drive.angle");
     assert_eq!(model(&|m| m.grip.stiffness = Some(1.0)), "grip.stiffness");
     assert_eq!(model(&|m| m.steps.push(peelkit::model::Step::Press(1.0))), "drive.steps");
     assert_eq!(model(&|m| m.adhesion.line_load = peelkit::adhesion::LineLoad::AxisGap), "adhesion.line_load");
@@ -186,8 +185,12 @@ fn what_a_solid_does_not_have_is_refused() {
     assert_eq!(model(&|m| m.adhesion.hamaker_constant = -1.0), "adhesion.hamaker_constant");
     let traction = SolidSettings { grip: SolidGrip::Parabolic, ..good };
     assert_eq!(refused(&traction, &|m| m.grip.rotation = Hold::Fixed), "solid.grip");
+    assert_eq!(refused(&traction, &|m| m.pull.angle = 1.0), "drive.angle");
     let spatula = peelkit::model::Body::Spatula(Default::default());
-    assert_eq!(model(&|m| m.body = spatula.clone()), "grip.rotation");
+    let both_faces = |m: &mut peelkit::model::PeelModel| {
+        (m.body, m.adhesion.far_face) = (spatula.clone(), true);
+    };
+    assert_eq!(model(&both_faces), "adhesion.far_face");
     let held = SolidSettings { grip: SolidGrip::Rigid, ..good }.strip(&super::model(100.0, 10.0));
     assert!(!matches!(held, Err(SolidError::TractionHolds { .. })));
     let long = SolidSettings { along: 4.0, ..good }.long_elements(&super::model(100.0, 10.0)).unwrap();
