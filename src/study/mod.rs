@@ -8,7 +8,7 @@ mod out_of_plane;
 mod parameters;
 mod peel;
 mod seta;
-mod solid_peel;
+mod solid;
 mod states;
 mod terms;
 pub use crate::solve::LimitPointKind;
@@ -87,9 +87,10 @@ pub use seta::result::{
 };
 pub use seta::run::{pull_off, pull_off_from};
 pub use seta::spatula_curve::{SpatulaCurveError, tip_curve};
-pub use solid_peel::{
-    SolidErrors, SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation,
-    peel_solid, peel_solid_on,
+pub use solid::finer::SolidErrors;
+pub use solid::peel::{
+    SolidLeftOut, SolidLimitPoint, SolidOptions, SolidPathEnd, SolidPeel, SolidPoint, SolidStation, peel_solid,
+    peel_solid_on,
 };
 pub use states::along_beam::{SectionFields, SpatialSectionFields};
 pub use states::fields::{BeamState, StateSections};

@@ -231,9 +231,9 @@ fn an_end_that_turns_is_that_of_a_beam() {
 /// The force of an end that is held along the ground, and of one that is pulled at 60 degrees, where the front stands on the pad.
 #[test]
 fn along_the_ground_it_is_held_as_a_beam_is() {
-    let changes: [(fn(&mut PeelModel), f64); 2] =
-        [(|model| model.grip.horizontal = Hold::Fixed, 12.0), (|model| model.pull.angle = 60_f64.to_radians(), 20.0)];
-    for (change, value) in changes {
+    let changes: [fn(&mut PeelModel); 2] =
+        [|model| model.grip.horizontal = Hold::Fixed, |model| model.pull.angle = 60_f64.to_radians()];
+    for (change, value) in changes.into_iter().zip([12.0, 20.0]) {
         let mut model = slender();
         change(&mut model);
         let at = StationAt { quantity: StationQuantity::Displacement, value };
