@@ -9,7 +9,7 @@ use crate::chart::style::{WIDTH, colour, order_shade};
 use crate::chart::symbol::Symbol;
 use peelkit::adhesion::Substrate;
 use peelkit::study;
-use peelkit::units::{FORCES, LENGTHS, Unit};
+use peelkit::units::{FORCES, LENGTHS};
 use plotters::style::RGBColor;
 
 /// The strip at one point of the path.
@@ -57,8 +57,11 @@ pub(crate) fn shapes_picture(poses: &[Posed], ground: &Substrate, heading: Headi
     let most = |of: fn(&Posed) -> f64| poses.iter().map(|posed| of(posed).abs()).fold(0.0, f64::max);
     let largest = [most(|posed| posed.displacement), most(|posed| posed.force)];
     let written = [units.fitting(LENGTHS, largest[0]), units.fitting(FORCES, largest[1])];
+    let seen = |value: f64, largest: f64| if value.abs() < ROUND_OFF * largest { 0.0 } else { value };
     for (i, (posed, outline)) in poses.iter().zip(outlines).enumerate() {
-        strip(&mut panel, posed, outline, order_shade(i, poses.len()), written);
+        let [u, p] = [seen(posed.displacement, largest[0]), seen(posed.force, largest[1])];
+        let name = format!("u = {}, P = {}", with_unit(written[0], u, 3), with_unit(written[1], p, 3));
+        strip(&mut panel, posed, outline, order_shade(i, poses.len()), name);
     }
     Picture { title: title.into(), height: (lower + 52.0).round() as u32, panels: vec![panel] }.in_units(units)
 }
@@ -78,12 +81,13 @@ fn outline(axis: &study::DeformedShape, thickness: f64) -> Vec<(f64, f64)> {
     rim
 }
 
-fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor, [length, force]: [Unit; 2]) {
+/// A number that is less of the largest one is zero.
+const ROUND_OFF: f64 = 1e-9;
+
+fn strip(panel: &mut Panel, posed: &Posed, outline: Vec<(f64, f64)>, colour: RGBColor, name: String) {
     panel.shapes.push(Shape { corners: outline.clone(), colour, opacity: 0.30 });
     panel.lines.push(Line { points: outline, stroke: Stroke::solid(colour, 1.3), name: None });
     if let (Some(&x), Some(&y)) = (posed.axis.x.last(), posed.axis.y.last()) {
-        let u = with_unit(length, posed.displacement, 3);
-        let name = format!("u = {u}, P = {}", with_unit(force, posed.force, 3));
         let note = Some(Note { badge: Some(posed.number), text: Vec::new() });
         panel.marks.push(Mark { at: (x, y), symbol: Symbol::Dot, colour, name: Some(name), note });
     }

@@ -104,13 +104,18 @@ fn state(
     let face: Vec<(f64, f64)> = places.iter().map(|&s| of(s, underside)).collect();
     let traction: Vec<(f64, f64)> =
         face.iter().map(|&(x, y)| (x, 1e3 * ground.traction(substrate.project(x, y).distance))).collect();
-    // downwards on the strip: where the ground holds it most
-    let strongest = traction.iter().min_by(|a, b| a.1.total_cmp(&b.1)).map_or(0.0, |at| at.0);
+    // downwards on the strip: where the ground holds it most beside its front
+    let front = peel.body.adhering_length() - at.front;
+    let beside = places.iter().zip(&traction).filter(|(s, _)| (**s - front).abs() <= 0.5 * width);
+    let strongest = beside.min_by(|a, b| a.1.1.total_cmp(&b.1.1)).map_or(0.0, |(_, at)| at.0);
     let right = face.last().map_or(width, |last| last.0);
     let from = (strongest - 0.5 * width).min(right - 0.9 * width);
-    let [x, y] =
-        [Axis::linear("(nm)", from, from + width), Axis::linear("y (nm)", -0.05 * width, (ASPECT - 0.05) * width)];
-    let inside = |&(x, y): &(f64, f64)| x >= from && x <= from + width && y <= (ASPECT - 0.05) * width;
+    let at_ground = |k: usize| from + width * k as f64 / SURFACE as f64;
+    let surface: Vec<(f64, f64)> = (0..=SURFACE).map(at_ground).map(|x| (x, substrate.top(x, x))).collect();
+    let bottom = surface.iter().fold(0.0, |low: f64, at| low.min(at.1)) - 0.05 * width;
+    let top = bottom + ASPECT * width;
+    let [x, y] = [Axis::linear("(nm)", from, from + width), Axis::linear("y (nm)", bottom, top)];
+    let inside = |&(x, y): &(f64, f64)| x >= from && x <= from + width && y >= bottom && y <= top;
     let mut shapes = Vec::new();
     let mut largest: f64 = 0.0;
     for pair in places.windows(2) {
@@ -138,8 +143,7 @@ fn state(
     let lines_along = along.iter().map(|&height| places.iter().map(|&s| of(s, height)).filter(inside).collect());
     let lines = lines_across.filter(|points| points.iter().all(inside)).chain(lines_along);
     body.lines = lines.map(|points| Line::plain(points, thin())).collect();
-    let surface = (0..=SURFACE).map(|k| from + width * k as f64 / SURFACE as f64).map(|x| (x, substrate.top(x, x)));
-    body.lines.push(Line::plain(surface.collect(), Stroke::solid(colour::INK, 2.0)));
+    body.lines.push(Line::plain(surface, Stroke::solid(colour::INK, 2.0)));
     let shown = traction.iter().filter(|at| at.0 >= from && at.0 <= from + width).map(|at| at.1);
     let y = Axis::around("T (MPa)", shown.chain([0.0]), false);
     let line = Line::plain(traction, Stroke::solid(colour::VERMILLION, 1.6));
