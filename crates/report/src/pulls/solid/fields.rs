@@ -22,8 +22,8 @@ pub(super) fn chosen(peel: &SolidPeel) -> Vec<(&'static str, &SolidPoint)> {
     let peak = peel.peak().and_then(|at| peel.points.get(at.after));
     let half = peel.points.iter().find(|at| at.front >= 0.5 * peel.body.adhering_length());
     let last = peel.points.last();
-    let first = peak.map_or_else(|| ("at the end of the path", last), |peak| ("at the peak", Some(peak)));
-    let second = half.map_or_else(|| ("at the end of the path", last), |half| ("half off", Some(half)));
+    let first = peak.map_or_else(|| ("at the end", last), |peak| ("at the peak", Some(peak)));
+    let second = half.map_or_else(|| ("at the end", last), |half| ("half off", Some(half)));
     let mut chosen: Vec<_> = [first, second].into_iter().filter_map(|(what, at)| Some((what, at?))).collect();
     // in the order of the path
     chosen.sort_by(|a, b| a.1.front.total_cmp(&b.1.front));
