@@ -1,7 +1,10 @@
 //! What a grip does with the right end of a solid: unknowns of the grip in place of those of the last line.
 //!
-//! - [`SolidGrip::Rigid`]: the end face is rigid, x = (xc - Y sin θ, yc + Y cos θ) with Y from the middle of the face; u is that of yc. This is
-//!   the grip of a beam. Its corners are singular: grade the mesh towards them.
+//! - [`SolidGrip::Rigid`]: the end face is rigid. Its middle c moves by (place, height); with its rotation φ and the lever r = X - c of a point,
+//!
+//!   u = (place, height) + (R(φ) - 1) r,   ∂u/∂φ = R'(φ) r,   ∂²u/∂φ² = -R(φ) r.
+//!
+//!   This is the grip of a beam. Its corners are singular: grade the mesh towards them.
 //! - [`SolidGrip::Parabolic`]: a dead shear traction P (3/2h)(1 - 4Y²/h²) acts on the face, which may warp; u is the mean of u_y with that
 //!   weight, conjugate to P.
 //!
@@ -143,10 +146,10 @@ impl GripMap {
         match self.grip {
             SolidGrip::Rigid => {
                 self.slopes.iter().zip(grip).for_each(|(&k, &value)| line[k] = value);
-                let (sin, cos) = grip[free + ROTATION].sin_cos();
                 for &(y, k) in &self.vertices {
-                    line[k] = grip[free + PLACE] - y * sin;
-                    line[k + 1] = grip[free + HEIGHT] + y * (cos - 1.0);
+                    let [along, up] = turned(grip[free + ROTATION], [0.0, y]);
+                    line[k] = grip[free + PLACE] + along;
+                    line[k + 1] = grip[free + HEIGHT] + up;
                 }
             }
             SolidGrip::Parabolic => {
@@ -190,12 +193,12 @@ impl GripMap {
         match self.grip {
             SolidGrip::Rigid => {
                 self.slopes.iter().enumerate().for_each(|(column, &k)| found[k * n + column] = 1.0);
-                let (sin, cos) = grip[free + ROTATION].sin_cos();
                 for &(y, k) in &self.vertices {
+                    let ([along, up], _) = per_turn(grip[free + ROTATION], [0.0, y]);
                     found[k * n + free + PLACE] = 1.0;
-                    found[k * n + free + ROTATION] = -y * cos;
+                    found[k * n + free + ROTATION] = along;
                     found[(k + 1) * n + free + HEIGHT] = 1.0;
-                    found[(k + 1) * n + free + ROTATION] = -y * sin;
+                    found[(k + 1) * n + free + ROTATION] = up;
                 }
             }
             SolidGrip::Parabolic => {
@@ -215,14 +218,29 @@ impl GripMap {
         if self.grip != SolidGrip::Rigid {
             return 0.0;
         }
-        let (sin, cos) = grip[self.free() + ROTATION].sin_cos();
-        self.vertices.iter().map(|&(y, k)| y * (force[k] * sin - force[k + 1] * cos)).sum()
+        let bent = |&(y, k): &(f64, usize)| {
+            let (_, [along, up]) = per_turn(grip[self.free() + ROTATION], [0.0, y]);
+            force[k] * along + force[k + 1] * up
+        };
+        self.vertices.iter().map(bent).sum()
     }
 
     /// Whether it turns.
     pub(crate) fn is_rigid(&self) -> bool {
         self.grip == SolidGrip::Rigid
     }
+}
+
+/// (R(φ) - 1) r
+pub(super) fn turned(rotation: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = rotation.sin_cos();
+    [(cos - 1.0) * x - sin * y, sin * x + (cos - 1.0) * y]
+}
+
+/// R'(φ) r, and R''(φ) r.
+pub(super) fn per_turn(rotation: f64, [x, y]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
+    let (sin, cos) = rotation.sin_cos();
+    ([-sin * x - cos * y, cos * x - sin * y], [sin * y - cos * x, -sin * x - cos * y])
 }
 
 /// ∫ (3/2h)(1 - 4Y²/h²) N dY of a vertex function, or of a bubble of this order in its row.

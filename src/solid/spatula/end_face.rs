@@ -1,8 +1,6 @@
 //! The end face of a solid spatula, in a grip: it moves and turns as a whole.
 //!
-//! Its middle c moves by (place, height). With its rotation φ and the lever r = X - c of a point,
-//!
-//!   u = (place, height) + (R(φ) - 1) r,   ∂u/∂φ = R'(φ) r,   ∂²u/∂φ² = -R(φ) r.
+//! As the rigid grip of a strip does ([`crate::solid::grip`]), by the levers of its nodes.
 
 use super::layout::{ACROSS, THROUGH};
 
@@ -40,16 +38,4 @@ impl EndFace {
     pub(super) fn longest(&self) -> f64 {
         self.levers.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max)
     }
-}
-
-/// (R(φ) - 1) r
-pub(super) fn turned(rotation: f64, [x, y]: [f64; 2]) -> [f64; 2] {
-    let (sin, cos) = rotation.sin_cos();
-    [(cos - 1.0) * x - sin * y, sin * x + (cos - 1.0) * y]
-}
-
-/// R'(φ) r, and R''(φ) r.
-pub(super) fn per_turn(rotation: f64, [x, y]: [f64; 2]) -> ([f64; 2], [f64; 2]) {
-    let (sin, cos) = rotation.sin_cos();
-    ([-sin * x - cos * y, cos * x - sin * y], [sin * y - cos * x, -sin * x - cos * y])
 }

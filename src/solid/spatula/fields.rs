@@ -1,10 +1,10 @@
 //! Displacements, places and stresses of a solid spatula at any of its points, and its state on another mesh.
 
 use super::element::{Element, ElementPlace, quadratic};
-use super::end_face::turned;
 use super::layout::{ACROSS, ALONG, ELEMENT, FUNCTIONS, THROUGH};
 use super::material::Vector;
 use super::solid_spatula::SolidSpatula;
+use crate::solid::grip::turned;
 use crate::solid::mesh::StripMesh;
 use crate::solve::state::State;
 
@@ -106,17 +106,11 @@ impl SolidSpatula {
         own + turned(self.rotation(values), self.end_face.lever(node))[axis]
     }
 
-    /// t of a line of nodes across.
-    fn line(&self, line: usize) -> f64 {
-        let sides = &self.mesh.sides;
-        if line.is_multiple_of(2) { sides[line / 2] } else { 0.5 * (sides[line / 2] + sides[line / 2 + 1]) }
-    }
-
     /// The state of this mesh that has the displacements of one of another mesh of the same body, at its nodes.
     pub(crate) fn state_of(&self, other: &Self, at: &State) -> State {
         let mut values = vec![0.0; self.unknowns()];
         let lines: Vec<_> =
-            (0..self.layout.lines()).map(|line| StripMesh::located(&other.mesh.sides, self.line(line))).collect();
+            (0..self.layout.lines()).map(|line| StripMesh::located(&other.mesh.sides, self.mesh.line(line))).collect();
         for (station, &place) in self.mesh.stations.iter().enumerate() {
             let (column, xi) = StripMesh::located(&other.mesh.stations, place);
             let length = other.mesh.stations[column + 1] - other.mesh.stations[column];

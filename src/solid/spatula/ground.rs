@@ -30,10 +30,6 @@ pub(super) struct GroundResponse {
 impl SolidGround {
     /// At a place (x, y), nm.
     pub(super) fn at(&self, [x, y]: [f64; 2]) -> GroundResponse {
-        if self.substrate.is_flat() {
-            let [energy, traction, slope] = self.half_space.levels(y);
-            return GroundResponse { energy, gradient: [0.0, -traction], hessian: [0.0, 0.0, slope] };
-        }
         let foot = self.substrate.project(x, y);
         let [energy, traction, slope] = self.half_space.levels(foot.distance);
         let bent = traction * foot.curvature / (1.0 - foot.curvature * foot.distance);
@@ -51,9 +47,6 @@ impl SolidGround {
 
     /// How far a place is from the surface, nm, and the normal there.
     pub(super) fn distance(&self, [x, y]: [f64; 2]) -> (f64, [f64; 2]) {
-        if self.substrate.is_flat() {
-            return (y, [0.0, 1.0]);
-        }
         let foot = self.substrate.project(x, y);
         (foot.distance, [-foot.sin, foot.cos])
     }

@@ -1,7 +1,7 @@
 //! Half a spatula as a solid: its mesh, its elements, and what is asked of its displacements.
 
 use super::element::{Element, ElementPlace, ElementWork};
-use super::end_face::{EndFace, turned};
+use super::end_face::EndFace;
 use super::geometry::SolidGeometry;
 use super::ground::SolidGround;
 use super::layout::{ELEMENT, Layout, OF_FACE};
@@ -10,7 +10,7 @@ use crate::adhesion::levels::half_space::HalfSpace;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::varying::BeamGeometry;
 use crate::solid::contact::{DETACHED, GAP_SCALE};
-use crate::solid::grip::{GripDrive, ROTATION};
+use crate::solid::grip::{GripDrive, ROTATION, turned};
 use crate::solid::mesh::halved;
 use crate::solve::state::{Mesh, State};
 use rayon::prelude::*;
@@ -27,6 +27,14 @@ pub struct SpatulaMesh {
     pub adhering: f64,
     /// S of the end of the pad, which follows uneven ground before it settles; none: it settles from the crests
     pub pressed: Option<f64>,
+}
+
+impl SpatulaMesh {
+    /// t of a line of nodes across: at the ends of elements and in their middles.
+    pub(super) fn line(&self, line: usize) -> f64 {
+        let ends = &self.sides[line / 2..];
+        if line.is_multiple_of(2) { ends[0] } else { 0.5 * (ends[0] + ends[1]) }
+    }
 }
 
 /// Points along S of an element of the underside: five where it is 2 nm long and r0 is 0.4 nm, eight at 4 nm.
@@ -110,9 +118,7 @@ impl SolidSpatula {
         };
         let (elements, places) = (0..layout.columns * layout.strips).into_par_iter().map(of).unzip();
         let node = |station: usize, zeta: f64, line: usize| {
-            let pair = &mesh.sides[line / 2..(line / 2 + 2).min(mesh.sides.len())];
-            let t = if line.is_multiple_of(2) { pair[0] } else { 0.5 * (pair[0] + pair[1]) };
-            geometry.in_plane(mesh.stations[station], axis[station], zeta, t).place
+            geometry.in_plane(mesh.stations[station], axis[station], zeta, mesh.line(line)).place
         };
         let lines = layout.lines();
         let underside =

@@ -1,11 +1,10 @@
 //! A solid spatula as a [`System`]: elimination station by station, from the tip to the end face.
 
 use super::element::ElementWork;
-use super::end_face::per_turn;
 use super::layout::{ELEMENT, OF_FACE};
 use super::solid_spatula::SolidSpatula;
 use crate::solid::front::{Elimination, Pivots};
-use crate::solid::grip::{NAMES, PLACE, ROTATION};
+use crate::solid::grip::{NAMES, PLACE, ROTATION, per_turn};
 use crate::solve::error::{Place, Quantity, SolveError};
 use crate::solve::problem::{InitialState, MeasuredBeside, PathMeasure, Problem};
 use crate::solve::state::{MONITORS, State};

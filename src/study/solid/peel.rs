@@ -18,7 +18,7 @@ use crate::solve::points::locate::Located;
 use crate::solve::points::passing::{FoundValue, PathNumber, SoughtValue};
 use crate::solve::points::search::LimitPointKind;
 use crate::solve::points::tracer::{PathEvent, PathTracer, TraceError, TraceOptions};
-use crate::solve::problem::Problem;
+use crate::solve::problem::{EndConditions, Problem};
 use crate::solve::relax::{Held, RelaxError, RelaxOptions, relax};
 use crate::solve::state::{Observables, State};
 use crate::solve::system::INTERFACE;
@@ -310,7 +310,7 @@ impl Traced {
             },
             SolidBody::Spatula(_) | SolidBody::Strip(_) => {
                 if let (false, Some(first)) = (body.substrate().is_flat(), taken.first()) {
-                    problem.grip.origin = problem.system.interface_values(&first.point.at);
+                    problem.start_at(Arc::new(first.point.at.clone()));
                 }
                 Path::new(problem, how)
             }
@@ -409,23 +409,22 @@ const SETTLING: f64 = 0.3;
 /// A spatula at rest: it is bonded along its pad without stress, or pressed on uneven ground, which is no equilibrium.
 fn settled(spatula: &SolidSpatula, problem: &mut Problem, options: &SolidOptions) -> Result<State, SolidPathEnd> {
     let mut ws = Workspace::until(options.stop.for_solves(Stage::Path));
-    // on uneven ground it lies where nothing holds its end, and displacements count from there
-    let held = if spatula.substrate().is_flat() { Held::Displacement(0.0) } else { Held::Force(0.0) };
     let guess = spatula.mesh.pressed.map_or_else(|| spatula.at_rest(), |pad| spatula.conformed(pad));
-    let own = problem.grip.held;
-    if let Held::Force(_) = held {
-        problem.grip.held = [false; INTERFACE];
+    let relaxed = |problem: &Problem, held: Held| {
+        let relaxed = relax(problem, guess, held, &RelaxOptions::by(SETTLING), &mut ws);
+        relaxed.map(|relaxed| relaxed.solution.at).map_err(|cause| match options.stop.reached_bound(Stage::Path) {
+            Some(bound) => SolidPathEnd::Bound(bound),
+            None => SolidPathEnd::NotAtRest(cause),
+        })
+    };
+    if spatula.substrate().is_flat() {
+        return relaxed(problem, Held::Displacement(0.0));
     }
-    let relaxed = relax(problem, guess, held, &RelaxOptions::by(SETTLING), &mut ws);
-    problem.grip.held = own;
-    let relaxed = relaxed.map(|relaxed| relaxed.solution.at);
-    if let (Held::Force(_), Ok(at)) = (held, &relaxed) {
-        problem.grip.origin = problem.system.interface_values(at);
-    }
-    relaxed.map_err(|cause| match options.stop.reached_bound(Stage::Path) {
-        Some(bound) => SolidPathEnd::Bound(bound),
-        None => SolidPathEnd::NotAtRest(cause),
-    })
+    // it lies where nothing holds its end, and displacements count from there
+    let grip = EndConditions { held: [false; INTERFACE], ..problem.grip };
+    let at = relaxed(&Problem { grip, ..problem.clone() }, Held::Force(0.0))?;
+    problem.start_at(Arc::new(at.clone()));
+    Ok(at)
 }
 
 /// The first step, over the gap at rest.
