@@ -15,7 +15,7 @@ use crate::solid::mesh::Grading;
 use crate::solid::strip::{SolidStrip, StripDesign};
 use std::sync::Arc;
 
-/// How a strip or a spatula is computed as a solid. Of a spatula `along` and `across` count alone: its element is H1(2), one through the thickness.
+/// How a body is computed as a solid. Of a spatula and a profile `along` and `across` count alone: their element is H1(2), one through the thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidSettings {
     /// The element
@@ -26,7 +26,7 @@ pub struct SolidSettings {
     pub along: f64,
     /// Rows of elements through the thickness
     pub through: usize,
-    /// Elements across the half width of a spatula
+    /// Elements across the half width of a spatula or a profile
     pub across: usize,
     /// What holds across the plane
     pub plane: Plane,
@@ -65,7 +65,7 @@ pub enum SolidError {
     /// What is wrong with the model as one of a beam.
     #[error("{0}")]
     Model(#[from] ModelError),
-    /// What is wrong with a spatula.
+    /// What is wrong with a spatula or a profile.
     #[error("{0}")]
     Spatula(#[from] SolidSpatulaError),
     /// An element of an order that is not offered.
@@ -100,7 +100,7 @@ const MOST_UNKNOWNS: f64 = 1e6;
 const MOST_LEVELS: usize = 20;
 const RATIOS: std::ops::RangeInclusive<f64> = 0.05..=0.8;
 /// The shear correction that says nothing, 5/6.
-const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
+pub(super) const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl SolidError {
     /// The key of a scene that gives the value.
@@ -147,8 +147,8 @@ impl SolidSettings {
     /// What is wrong first: with the model, with the settings, or what of the model a solid does not have.
     pub fn check(&self, model: &PeelModel) -> Result<(), SolidError> {
         match model.body {
-            Body::Spatula(_) => Ok(self.of_spatula().mesh(model).map(drop)?),
-            Body::Strip(_) | Body::Profile(_) => self.check_strip(model),
+            Body::Spatula(_) | Body::Profile(_) => Ok(self.in_space().mesh(model).map(drop)?),
+            Body::Strip(_) => self.check_strip(model),
         }
     }
 
@@ -158,12 +158,12 @@ impl SolidSettings {
     /// As of [`SolidSettings::check`].
     pub fn body(&self, model: &PeelModel) -> Result<SolidBody, SolidError> {
         Ok(match model.body {
-            Body::Spatula(_) => SolidBody::Spatula(Arc::new(self.of_spatula().spatula(model)?)),
-            Body::Strip(_) | Body::Profile(_) => SolidBody::Strip(Arc::new(self.strip(model)?)),
+            Body::Spatula(_) | Body::Profile(_) => SolidBody::Spatula(Arc::new(self.in_space().spatula(model)?)),
+            Body::Strip(_) => SolidBody::Strip(Arc::new(self.strip(model)?)),
         })
     }
 
-    fn of_spatula(&self) -> SolidSpatulaSettings {
+    fn in_space(&self) -> SolidSpatulaSettings {
         SolidSpatulaSettings { across: self.across, ..SolidSpatulaSettings::every(self.along) }
     }
 

@@ -1,24 +1,26 @@
-//! A spatula as a solid in space: how it is cut into elements, and what of a model of beams such a solid does not have.
+//! A spatula or a profile as a solid in space: how it is cut into elements, and what of a model of beams such a solid does not have.
 
 use super::body::Body;
-use super::body::spatula::Spatula;
 use super::check::error::ModelError;
 use super::ground::Start;
 use super::peel::{Hold, PeelModel};
+use super::solid::SHEAR_CORRECTION;
 use crate::adhesion::section::law::Attraction;
+use crate::beam::section::Material;
 use crate::beam::varying::BeamGeometry;
 use crate::solid::grip::GripDrive;
+use crate::solid::spatula::geometry::rise;
 use crate::solid::spatula::solid_spatula::{SolidSpatula, SpatulaMesh};
 use std::sync::Arc;
 
-/// How a spatula is cut into elements. Distances of stations along S in nm: at most these.
+/// How a spatula or a profile is cut into elements. Distances of stations along S in nm: at most these.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SolidSpatulaSettings {
-    /// On the pad
+    /// On the pad, which lies flat at rest
     pub along: f64,
-    /// Where the axis bends, behind the pad; behind the bend twice that
+    /// Where the axis bends, behind the pad; twice that behind the bend, as far as it adheres
     pub neck: f64,
-    /// On the shaft
+    /// On the shaft, which does not adhere
     pub shaft: f64,
     /// Elements across the half width
     pub across: usize,
@@ -61,7 +63,7 @@ pub enum SolidSpatulaError {
     #[error("the stations are {stations:.1e} in number; at most {MOST_STATIONS} are computed")]
     TooMany { stations: f64 },
     /// Something of a model that a solid spatula does not have.
-    #[error("`{key}` is given, and a spatula computed as a solid {why}")]
+    #[error("`{key}` is given, and a solid in space {why}")]
     NotOfSolid { key: &'static str, why: &'static str },
 }
 
@@ -71,6 +73,8 @@ pub const MOST_ACROSS: usize = 16;
 const MOST_STATIONS: usize = 20_000;
 /// Distances of stations behind the bend over those in it.
 const BEHIND_BEND: f64 = 2.0;
+/// Most turn of the underside over an element, rad.
+const MOST_TURN: f64 = 0.15;
 /// Lines across lie at 1 - (1 - k/n)^p, closer at the free edge.
 const GRADING: f64 = 1.5;
 
@@ -92,7 +96,7 @@ impl SolidSpatulaError {
             Self::NoDistance { .. } => "Give a number above zero, in nm.".into(),
             Self::Across { .. } => "Give 2, or 4 for a second opinion.".into(),
             Self::TooMany { .. } => "Give stations that are farther apart.".into(),
-            Self::NotOfSolid { .. } => "Remove it, or compute the spatula as a beam.".into(),
+            Self::NotOfSolid { .. } => "Remove it, or remove the table [solid] to compute a beam.".into(),
         }
     }
 }
@@ -116,22 +120,22 @@ impl SolidSpatulaSettings {
     /// # Ok::<(), peelkit::model::SolidSpatulaError>(())
     /// ```
     pub fn spatula(&self, model: &PeelModel) -> Result<SolidSpatula, SolidSpatulaError> {
-        let (body, mesh) = self.mesh(model)?;
-        let material = (body.material.youngs_modulus, body.material.poissons_ratio);
+        let mesh = self.mesh(model)?;
+        let body = model.body.geometry();
+        let Material { youngs_modulus, poissons_ratio, .. } = body.material();
         let ground = (model.adhesion.half_space(), model.ground.substrate.clone());
-        Ok(SolidSpatula::new(Arc::new(body.clone()), material, ground, drive_of(model), mesh))
+        Ok(SolidSpatula::new(body.shared(), (youngs_modulus, poissons_ratio), ground, drive_of(model), mesh))
     }
 
-    /// The outline of a model and its mesh.
-    pub(super) fn mesh<'m>(&self, model: &'m PeelModel) -> Result<(&'m Spatula, SpatulaMesh), SolidSpatulaError> {
+    /// The mesh of a model.
+    pub(super) fn mesh(&self, model: &PeelModel) -> Result<SpatulaMesh, SolidSpatulaError> {
         model.check()?;
         what_it_has(model)?;
-        let Body::Spatula(body) = &model.body else { return Err(not_of_solid("body", "is a spatula")) };
         self.check()?;
-        let adhering = body.pad_length + body.neck_length;
-        let pressed = (model.ground.start == Start::Conformed).then_some(body.pad_length);
-        let mesh = SpatulaMesh { stations: self.stations(body, adhering)?, sides: self.sides(), adhering, pressed };
-        Ok((body, mesh))
+        let zones = Zones::of(model)?;
+        let pressed = (model.ground.start == Start::Conformed).then_some(zones.pad);
+        let stations = self.stations(&*model.body.geometry().shared(), &zones)?;
+        Ok(SpatulaMesh { stations, sides: self.sides(), adhering: zones.adhering, pressed })
     }
 
     fn check(&self) -> Result<(), SolidSpatulaError> {
@@ -146,19 +150,19 @@ impl SolidSpatulaSettings {
     }
 
     /// S of the stations: every break is one.
-    fn stations(&self, body: &Spatula, adhering: f64) -> Result<Vec<f64>, SolidSpatulaError> {
-        let pad = body.pad_length;
-        let mut ends = vec![0.0, body.length()];
-        ends.extend(body.breaks());
-        ends.sort_by(f64::total_cmp);
-        ends.dedup();
+    fn stations(&self, outline: &dyn BeamGeometry, zones: &Zones) -> Result<Vec<f64>, SolidSpatulaError> {
         let distance = |middle: f64| match middle {
-            _ if middle < pad => self.along,
-            _ if middle < pad + body.bend_length => self.neck,
-            _ if middle < adhering => BEHIND_BEND * self.neck,
+            _ if middle < zones.pad => self.along,
+            _ if middle < zones.bend => self.neck,
+            _ if middle < zones.adhering => BEHIND_BEND * self.neck,
             _ => self.shaft,
         };
-        let parts = |pair: &[f64]| ((pair[1] - pair[0]) / distance(0.5 * (pair[0] + pair[1]))).ceil().max(1.0);
+        let parts = |pair: &[f64]| {
+            let turn = outline.at(pair[1]).underside[0] - outline.at(pair[0]).underside[0];
+            let by_length = (pair[1] - pair[0]) / distance(0.5 * (pair[0] + pair[1]));
+            by_length.max(turn.abs() / MOST_TURN).ceil().max(1.0)
+        };
+        let ends = ends(outline);
         let stations: f64 = ends.windows(2).map(parts).sum();
         if stations > MOST_STATIONS as f64 {
             return Err(SolidSpatulaError::TooMany { stations });
@@ -178,11 +182,74 @@ impl SolidSpatulaSettings {
     }
 }
 
+/// S of the free end, of the breaks and of the grip, nm.
+fn ends(outline: &dyn BeamGeometry) -> Vec<f64> {
+    let mut ends = vec![0.0, outline.length()];
+    ends.extend(outline.breaks());
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    ends
+}
+
+/// Where stations lie how close, and what adheres: S of the ends, nm.
+struct Zones {
+    /// Of what lies flat at rest
+    pad: f64,
+    /// Of where the underside turns up from the ground
+    bend: f64,
+    /// Of what adheres
+    adhering: f64,
+}
+
+/// A rise over the ground at rest that counts as none, one that is near, and one from which nothing acts, over r0: the traction is 8e-6 of its largest
+/// value there.
+const FLAT: f64 = 0.1;
+const NEAR: f64 = 12.0;
+const OUT_OF_REACH: f64 = 50.0;
+/// A width or a roundness changes by less at a break, as a share, unless it jumps there.
+const JUMP: f64 = 1e-3;
+
+impl Zones {
+    /// Of a spatula its pad, its bend and its neck; of a profile by how high its pieces begin over the ground.
+    fn of(model: &PeelModel) -> Result<Self, SolidSpatulaError> {
+        match &model.body {
+            Body::Spatula(body) => Ok(Self {
+                pad: body.pad_length,
+                bend: body.pad_length + body.bend_length,
+                adhering: body.pad_length + body.neck_length,
+            }),
+            body @ Body::Profile(_) => Self::of_profile(body.geometry().shared(), model.adhesion.equilibrium_distance),
+            Body::Strip(_) => Err(not_of_solid("strip", "is a spatula or a profile")),
+        }
+    }
+
+    fn of_profile(outline: Arc<dyn BeamGeometry>, distance: f64) -> Result<Self, SolidSpatulaError> {
+        let step = JUMP * JUMP * outline.length();
+        let jumps = |&place: &f64| {
+            let [before, behind] = [place - step, place + step].map(|place| outline.at(place));
+            (behind.width - before.width).abs() > JUMP * before.width
+                || (behind.roundness - before.roundness).abs() > JUMP
+        };
+        if outline.breaks().iter().any(jumps) {
+            return Err(not_of_solid("profile.pieces", "has no jump of its width or of its roundness"));
+        }
+        let ends = ends(&*outline);
+        let rise = rise(outline, &ends);
+        let flat = rise.iter().take_while(|rise| **rise < FLAT * distance).count() - 1;
+        let last = |reach: f64| (0..ends.len() - 1).rfind(|&k| rise[k] < reach * distance).map_or(0, |k| k + 1);
+        Ok(Self { pad: ends[flat], bend: ends[last(NEAR)], adhering: ends[last(OUT_OF_REACH)] })
+    }
+}
+
 /// What the grip of a model does to a rigid end face.
 pub(super) fn drive_of(model: &PeelModel) -> GripDrive {
     let [rotation, across] = [model.grip.rotation, model.grip.horizontal].map(|hold| hold == Hold::Fixed);
     GripDrive { rotation, across, direction: model.pull.direction(), turn: model.pull.turn }
 }
+
+/// Keys of a beam's section, which a solid does not have.
+const OF_SPATULA: [&str; 2] = ["spatula.bending_stiffness_factor", "spatula.shear_correction"];
+const OF_PROFILE: [&str; 2] = ["profile.bending_stiffness_factor", "profile.shear_correction"];
 
 fn not_of_solid(key: &'static str, why: &'static str) -> SolidSpatulaError {
     SolidSpatulaError::NotOfSolid { key, why }
@@ -191,14 +258,18 @@ fn not_of_solid(key: &'static str, why: &'static str) -> SolidSpatulaError {
 /// That a model has nothing that a solid spatula does not have.
 fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
     let of_half_space = matches!(model.adhesion.attraction, Attraction::BodyForce | Attraction::SurfaceTraction);
+    let material = model.body.geometry().material();
+    let keys = if matches!(model.body, Body::Profile(_)) { OF_PROFILE } else { OF_SPATULA };
     let refused = [
+        (material.bending_stiffness_factor != 1.0, keys[0], "bends as its material does"),
+        ((material.shear_correction - SHEAR_CORRECTION).abs() > 1e-12, keys[1], "shears as its material does"),
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
         (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
         (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
-        (model.space.is_some(), "space", "is in space already"),
+        (model.space.is_some(), "space", "is pulled in its plane of symmetry"),
     ];
     refused.into_iter().find(|refused| refused.0).map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
 }

@@ -46,14 +46,19 @@ fn words_arrive_as_what_they_mean() {
     assert_eq!(settings(&scene), expected);
 }
 
-/// A spatula has two keys of the table, and a strip all but one.
+const PROFILE: &str = "[profile]\nyoungs_modulus = \"2 GPa\"\npieces = [{ length = \"60 nm\", width = \"40 nm\", height = \"10 nm\" }]\n\
+     [adhesion]\nhamaker_constant = \"1e-19 J\"\nequilibrium_distance = \"0.4 nm\"\nfar_face = false\n";
+
+/// A spatula and a profile have two keys of the table, and a strip all but one.
 #[test]
 fn each_body_has_its_own_keys() {
-    let scene = parse(&format!("{SPATULA}[solid]\nalong = \"3 nm\"\nacross = 4\n"));
-    let found = settings(&scene);
-    assert_eq!((found.along, found.across), (3.0, 4));
-    for (text, key) in [(SPATULA, "element"), (SPATULA, "plane"), (MINIMAL, "across")] {
-        let value = if key == "across" { "2" } else { "\"Q1C1\"" };
+    for text in [SPATULA, PROFILE] {
+        let scene = parse(&format!("{text}[solid]\nalong = \"3 nm\"\nacross = 4\n"));
+        let found = settings(&scene);
+        assert_eq!((found.along, found.across), (3.0, 4));
+    }
+    for (text, key) in [(SPATULA, "element"), (SPATULA, "plane"), (PROFILE, "through"), (MINIMAL, "across")] {
+        let value = if ["across", "through"].contains(&key) { "2" } else { "\"Q1C1\"" };
         let error = Scene::parse_any("a.toml", &format!("{text}[solid]\n{key} = {value}\n"), &[]).unwrap_err();
         assert!(error.to_string().contains("is a key of [solid] for a"), "{error}");
     }
@@ -65,7 +70,8 @@ fn each_body_has_its_own_keys() {
 #[test]
 fn a_scene_comes_back_as_it_was() {
     let spatula = format!("{SPATULA}[solid]\nacross = 3\n");
-    for text in [spatula, format!("{MINIMAL}{SOLID}"), format!("{MINIMAL}[solid]\nelement = \"Q(4,5)\"\n")] {
+    let profile = format!("{PROFILE}[solid]\nalong = \"2 nm\"\n");
+    for text in [spatula, profile, format!("{MINIMAL}{SOLID}"), format!("{MINIMAL}[solid]\nelement = \"Q(4,5)\"\n")] {
         let scene = parse(&text);
         let written = scene.to_toml();
         assert_eq!(Scene::parse_any("strip.toml", &written, &[]).unwrap(), scene, "{written}");

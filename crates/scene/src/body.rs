@@ -85,16 +85,16 @@ pub(crate) fn number_of_shape<'a>(substrate: &'a mut Substrate, name: &str) -> &
         .expect("KEYS asks for the numbers of shapes alone, and the shape has just become one that has it")
 }
 
-// -- Keys of the table `solid`: the one that a spatula alone has, and the one that it has like a strip --
+// -- Keys of the table `solid`: the one that a body in space alone has, and the one that it has like a strip --
 
-const OF_SPATULA: &str = "across";
-const OF_BOTH: &str = "along";
+const IN_SPACE: &str = "across";
+const OF_ALL: &str = "along";
 
 /// The bodies that have a key of the table `solid`.
 pub(crate) fn solids_with(key: &str) -> &'static [&'static str] {
     match key {
-        OF_BOTH => &["strip", "spatula"],
-        OF_SPATULA => &["spatula"],
+        OF_ALL => &["strip", "spatula", "profile"],
+        IN_SPACE => &["spatula", "profile"],
         _ => &["strip"],
     }
 }

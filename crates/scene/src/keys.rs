@@ -244,7 +244,7 @@ pub static KEYS: &[Key] = &[
     key(&SOLID, "modes", Optional, Kind::Flag(|s| &mut s.solid_table().modes), "incompatible modes off the contact row"),
     key(&SOLID, "along", Optional, Kind::Bound(Length, |s| &mut s.solid_table().along), "length of an element; none: that of the process zone").titled("length of an element", ""),
     key(&SOLID, "through", Optional, Kind::Count(MOST_ROWS, |s| &mut s.solid_table().through), "rows of elements through the thickness").titled("rows of elements", ""),
-    key(&SOLID, "across", Optional, Kind::Count(MOST_ACROSS, |s| &mut s.solid_table().across), "elements across the half width of a spatula").titled("elements across", ""),
+    key(&SOLID, "across", Optional, Kind::Count(MOST_ACROSS, |s| &mut s.solid_table().across), "elements across the half width, in space").titled("elements across", ""),
     key(&SOLID, "plane", Optional, choice!(PLANES, "\"strain\"", |s| &mut s.solid_table().plane), "what is zero across the plane"),
     key(&SOLID, "material", Optional, choice!(MATERIALS, "\"neo-hookean\"", |s| &mut s.solid_table().material), "elastic energy"),
     key(&SOLID, "contact", Optional, choice!(CONTACTS, "\"body-force\"", |s| &mut s.solid_table().contact), "what the half space acts on"),

@@ -117,6 +117,15 @@ impl SolidGeometry {
     }
 }
 
+/// How much higher the underside is at these places, which ascend from 0, than at the first one, in the plane of symmetry, nm.
+pub(crate) fn rise(outline: Arc<dyn BeamGeometry>, places: &[f64]) -> Vec<f64> {
+    let geometry = SolidGeometry::new(outline, 0.0);
+    let axis = geometry.axis(places);
+    let heights = places.iter().zip(axis).map(|(&place, axis)| geometry.in_plane(place, axis, -1.0, 0.0).place[1]);
+    let heights: Vec<f64> = heights.collect();
+    heights.iter().map(|height| height - heights[0]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -6,7 +6,7 @@
 mod element;
 mod end_face;
 mod fields;
-mod geometry;
+pub(crate) mod geometry;
 mod ground;
 mod layout;
 mod material;

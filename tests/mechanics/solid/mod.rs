@@ -1,7 +1,8 @@
-//! Solids that adhere: strips as plane solids, and a spatula in space.
+//! Solids that adhere: strips as plane solids, a spatula and a profile in space.
 
 mod elements;
 mod first_peak;
+mod profile;
 mod spatula;
 mod ways;
 mod whole_path;

@@ -1,7 +1,7 @@
 //! Which keys a scene may hold, and what is said of the others.
 
 use super::kind::{Key, Kind};
-use super::table::{ADHESION, PROFILE, SETA, SETAE, SOLID, STRIP, SUBSTRATE};
+use super::table::{ADHESION, SETA, SETAE, SOLID, STRIP, SUBSTRATE};
 use crate::body::{BODIES, body_of, shape_has, shapes_with, solids_with};
 use crate::error::ValueError;
 use crate::scene::Scene;
@@ -54,11 +54,7 @@ impl Key {
         if self.table == SUBSTRATE.name && !shape_has(&scene.model.ground.substrate, self.name) {
             return Some(Misfit::Shape);
         }
-        // a profile is no solid, which is said of the whole table
-        if self.table == SOLID.name
-            && body_of(scene) != PROFILE.name
-            && !solids_with(self.name).contains(&body_of(scene))
-        {
+        if self.table == SOLID.name && !solids_with(self.name).contains(&body_of(scene)) {
             return Some(Misfit::OfSolid);
         }
         if follows_from_law(scene, self) {

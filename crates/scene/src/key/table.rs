@@ -107,7 +107,7 @@ pub(crate) static TOE: Table = of_array(
 );
 pub(crate) static SOLID: Table = Table {
     name: "solid",
-    about: "A strip or a spatula that is computed as a solid: with which elements.",
+    about: "A body that is computed as a solid: with which elements.",
     beside_seta: BesideSeta::None,
     is_in: |scene| scene.solid.is_some(),
     begin: |scene| _ = scene.solid_table(),

@@ -14,7 +14,7 @@ pub struct SolidTable {
     pub along: Option<f64>,
     /// Rows of elements through the thickness
     pub through: usize,
-    /// Elements across the half width of a spatula
+    /// Elements across the half width of a spatula or a profile
     pub across: usize,
     /// What holds across the plane
     pub plane: Plane,
