@@ -81,17 +81,18 @@ impl Elimination {
 
     /// A right-hand side taken down: of K, or of Kᵀ.
     pub(crate) fn forward(&self, right: &mut [f64], transposed: bool) {
+        let right = &mut right[..self.size];
         for k in 0..self.eliminated {
             let row = &self.upper[k * self.size..][..self.size];
             if transposed {
                 right[k] /= row[k];
                 let value = right[k];
-                (k + 1..self.size).for_each(|i| right[i] -= row[i] * value);
+                right[k + 1..].iter_mut().zip(&row[k + 1..]).for_each(|(right, row)| *right -= row * value);
             } else {
                 let value = right[k];
                 if self.lower.is_empty() {
                     let value = value / row[k];
-                    (k + 1..self.size).for_each(|i| right[i] -= row[i] * value);
+                    right[k + 1..].iter_mut().zip(&row[k + 1..]).for_each(|(right, row)| *right -= row * value);
                 } else {
                     (k + 1..self.size).for_each(|i| right[i] -= self.factor(i, k) * value);
                 }
@@ -101,67 +102,110 @@ impl Elimination {
 
     /// From a right-hand side that was taken down, with the solution of what was not eliminated, to the whole solution.
     pub(crate) fn backward(&self, right: &mut [f64], transposed: bool) {
+        let right = &mut right[..self.size];
         for k in (0..self.eliminated).rev() {
             let row = &self.upper[k * self.size..][..self.size];
             if transposed {
-                let taken: f64 = (k + 1..self.size).map(|i| self.factor(i, k) * right[i]).sum();
-                right[k] -= taken;
+                if self.lower.is_empty() {
+                    right[k] -= sum_of_products(&row[k + 1..], &right[k + 1..]) / row[k];
+                } else {
+                    let taken: f64 = (k + 1..self.size).map(|i| self.factor(i, k) * right[i]).sum();
+                    right[k] -= taken;
+                }
             } else {
-                let taken: f64 = (k + 1..self.size).map(|i| row[i] * right[i]).sum();
-                right[k] = (right[k] - taken) / row[k];
+                right[k] = (right[k] - sum_of_products(&row[k + 1..], &right[k + 1..])) / row[k];
             }
         }
     }
+}
+
+/// Σ a b, in eight sums side by side.
+fn sum_of_products(a: &[f64], b: &[f64]) -> f64 {
+    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
+    let mut sums = [0.0; 8];
+    for (a, b) in a.iter().zip(b) {
+        (0..8).for_each(|l| sums[l] += a[l] * b[l]);
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
+    sums.iter().sum::<f64>() + rest
 }
 
 /// The elimination itself; of a matrix that is symmetric `lower` is empty.
 #[cfg_attr(
     not(any(test, feature = "portable", debug_assertions)),
-    multiversion::multiversion(targets("x86_64+avx2+fma"))
+    multiversion::multiversion(targets("x86_64+avx512f+fma", "x86_64+avx2+fma"))
 )]
 fn eliminate(matrix: &mut [f64], (size, eliminated): (usize, usize), lower: &mut [f64]) {
-    let symmetric = lower.is_empty();
     for first in (0..eliminated).step_by(PANEL) {
         let last = (first + PANEL).min(eliminated);
-        for row in first + 1..size {
+        for row in first + 1..last {
             let (above, own) = matrix.split_at_mut(row * size);
-            let inside = row < last;
             let own = &mut own[..size];
-            let until = if inside { row } else { last };
-            let mut factors = [0.0; PANEL];
-            for k in first..until {
-                let pivot_row = &above[k * size..][..size];
-                let factor = if symmetric {
-                    pivot_row[row] / pivot_row[k]
-                } else {
-                    let taken: f64 = (first..k).map(|m| factors[m - first] * above[m * size + k]).sum();
-                    (own[k] - taken) / pivot_row[k]
-                };
-                factors[k - first] = factor;
-                if !symmetric {
-                    lower[row * eliminated + k] = factor;
-                }
-            }
-            let from = if symmetric { row } else { until };
+            let (factors, from) = factors(above, own, (first, row), (row, eliminated), lower);
             let mut rows = [&above[..0]; PANEL];
-            (first..until).for_each(|k| rows[k - first] = &above[k * size + from..][..size - from]);
-            take_off(&mut own[from..], &rows[..until - first], &factors);
+            (first..row).for_each(|k| rows[k - first] = &above[k * size + from..][..size - from]);
+            for (pivot_row, factor) in rows[..row - first].iter().zip(&factors) {
+                own[from..].iter_mut().zip(*pivot_row).for_each(|(own, value)| *own -= factor * value);
+            }
+        }
+        for row in (last..size).step_by(2) {
+            let (above, own) = matrix.split_at_mut(row * size);
+            let (own, next) = own.split_at_mut(size);
+            let (of_own, from) = factors(above, own, (first, last), (row, eliminated), lower);
+            let mut rows = [&above[..0]; PANEL];
+            (first..last).for_each(|k| rows[k - first] = &above[k * size + from..][..size - from]);
+            match next.get_mut(..size) {
+                Some(next) => {
+                    let (of_next, _) = factors(above, next, (first, last), (row + 1, eliminated), lower);
+                    take_off([&mut own[from..], &mut next[from..]], &rows[..last - first], [&of_own, &of_next]);
+                }
+                None => take_off([&mut own[from..], &mut []], &rows[..last - first], [&of_own, &of_own]),
+            }
         }
     }
 }
 
-/// own -= Σ factors · rows.
+/// The factors of a row for the pivots from `first` to `last`, and the column from which on it changes.
 #[inline(always)]
-fn take_off(own: &mut [f64], rows: &[&[f64]], factors: &[f64; PANEL]) {
-    if let [a, b, c, d] = rows {
-        let n = own.len();
+fn factors(
+    above: &[f64],
+    own: &[f64],
+    (first, last): (usize, usize),
+    (row, eliminated): (usize, usize),
+    lower: &mut [f64],
+) -> ([f64; PANEL], usize) {
+    let (size, symmetric) = (own.len(), lower.is_empty());
+    let mut factors = [0.0; PANEL];
+    for k in first..last {
+        let pivot_row = &above[k * size..][..size];
+        let factor = if symmetric {
+            pivot_row[row] / pivot_row[k]
+        } else {
+            let taken: f64 = (first..k).map(|m| factors[m - first] * above[m * size + k]).sum();
+            (own[k] - taken) / pivot_row[k]
+        };
+        factors[k - first] = factor;
+        if !symmetric {
+            lower[row * eliminated + k] = factor;
+        }
+    }
+    (factors, if symmetric { row } else { last })
+}
+
+/// own -= Σ factors · rows, of two rows at once, so that the pivots' rows are read once; the second may be empty.
+#[inline(always)]
+fn take_off([own, next]: [&mut [f64]; 2], rows: &[&[f64]], [of_own, of_next]: [&[f64; PANEL]; 2]) {
+    let n = own.len();
+    if let ([a, b, c, d], true) = (rows, next.len() == n) {
         let (a, b, c, d) = (&a[..n], &b[..n], &c[..n], &d[..n]);
         for j in 0..n {
-            own[j] -= factors[0] * a[j] + factors[1] * b[j] + factors[2] * c[j] + factors[3] * d[j];
+            own[j] -= of_own[0] * a[j] + of_own[1] * b[j] + of_own[2] * c[j] + of_own[3] * d[j];
+            next[j] -= of_next[0] * a[j] + of_next[1] * b[j] + of_next[2] * c[j] + of_next[3] * d[j];
         }
     } else {
-        for (row, factor) in rows.iter().zip(factors) {
-            own.iter_mut().zip(*row).for_each(|(own, value)| *own -= factor * value);
+        for (k, row) in rows.iter().enumerate() {
+            own.iter_mut().zip(*row).for_each(|(own, value)| *own -= of_own[k] * value);
+            next.iter_mut().zip(*row).for_each(|(next, value)| *next -= of_next[k] * value);
         }
     }
 }

@@ -359,7 +359,7 @@ impl TangentPoint {
 /// Adds what all points add to the blocks, a row at a time, so that it is written once.
 #[cfg_attr(
     not(any(test, feature = "portable", debug_assertions)),
-    multiversion::multiversion(targets("x86_64+avx2+fma"))
+    multiversion::multiversion(targets("x86_64+avx512f+fma", "x86_64+avx2+fma"))
 )]
 fn add_points(points: &[TangentPoint], blocks: &mut [Vec<f64>; 6]) {
     for (block, (a, b)) in blocks.iter_mut().zip(PAIRS) {

@@ -20,12 +20,20 @@ struct Factors {
     face: Elimination,
     /// The residual, taken down
     residual: Vec<f64>,
-    works: Vec<ElementWork>,
+    /// What elements add: of columns that are eliminated, and of those behind them
+    works: [Vec<ElementWork>; 2],
     front: Vec<f64>,
     carried: Vec<f64>,
 }
 
-/// Columns whose elements are computed side by side: what they add is kept meanwhile.
+/// What the elimination of columns has summed so far.
+struct Eliminated {
+    energy: f64,
+    residual: Vec<f64>,
+    pivots: Pivots,
+}
+
+/// Columns whose elements are computed side by side, while those before them are eliminated: what they add is kept meanwhile.
 const AT_ONCE: usize = 16;
 /// Share of what changes a displacement off the underside beside one on it, and of the slope by S times the distance of stations.
 const OFF_FACE: f64 = 0.1;
@@ -188,11 +196,60 @@ impl SolidSpatula {
         Evaluation { energy, monitors, recorded: self.end_rotation(values) }
     }
 
+    /// Eliminates the unknowns of the left station of a column, of which this is what its elements add.
+    fn eliminate(
+        &self,
+        values: &[f64],
+        (column, works): (usize, &[ElementWork]),
+        damping: f64,
+        factors: &mut Factors,
+        eliminated: &mut Eliminated,
+    ) -> Result<(), SolveError> {
+        let (layout, Eliminated { energy, residual, pivots }) = (&self.layout, eliminated);
+        let Factors { columns: eliminations, front, carried, .. } = factors;
+        let (own, next) = (layout.at(column), layout.at(column + 1));
+        let width = own + next;
+        front.clear();
+        front.resize(width * width, 0.0);
+        for (i, row) in carried.chunks_exact(own).enumerate() {
+            front[i * width..][..own].copy_from_slice(row);
+        }
+        for (strip, work) in works.iter().enumerate() {
+            let index = column * layout.strips + strip;
+            if !work.energy.is_finite() || !work.residual.iter().all(|value| value.is_finite()) {
+                return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place: self.place(column) });
+            }
+            *energy += work.energy;
+            self.scatter(values, work, index, residual);
+            self.add_to_front(work, index, front, width);
+            if column + 1 == layout.columns {
+                self.add_turn_to_front(values, work, index, front, width);
+            }
+        }
+        for &anchored in self.anchored.iter().filter(|_| column == 0) {
+            residual[anchored] = 0.0;
+            (0..width).for_each(|k| (front[anchored * width + k], front[k * width + anchored]) = (0.0, 0.0));
+            front[anchored * width + anchored] = self.youngs_modulus;
+        }
+        if damping > 0.0 {
+            let own = self.damping(column);
+            own.iter().enumerate().for_each(|(k, own)| front[k * width + k] += damping * own);
+        }
+        let found = eliminations[column].run(front, width, own, true);
+        if !found.regular {
+            return Err(SolveError::Singular { pivot: found.least, place: self.place(column) });
+        }
+        *pivots = pivots.and(found);
+        carried.clear();
+        (own..width).for_each(|row| carried.extend_from_slice(&front[row * width + own..][..next]));
+        Ok(())
+    }
+
     /// Elements of a span of columns at these values, with their tangents.
     fn compute(&self, values: &[f64], columns: std::ops::Range<usize>, works: &mut Vec<ElementWork>) {
-        let first = columns.start * self.layout.strips;
-        works.resize_with(columns.len() * self.layout.strips, ElementWork::default);
-        works.par_iter_mut().enumerate().for_each(|(k, work)| self.element_at(values, first + k, true, work));
+        let (first, count) = (columns.start * self.layout.strips, columns.len() * self.layout.strips);
+        works.resize_with(works.len().max(count), ElementWork::default);
+        works[..count].par_iter_mut().enumerate().for_each(|(k, work)| self.element_at(values, first + k, true, work));
     }
 }
 
@@ -225,52 +282,28 @@ impl System for SolidSpatula {
         let columns = layout.columns;
         let factors = ws.factors::<Factors>();
         factors.columns.resize(columns, Elimination::default());
-        let mut residual = vec![0.0; layout.unknowns()];
         let damping = self.youngs_modulus / coefficients.per_damping;
-        let (mut energy, mut pivots) = (0.0, Pivots::NONE);
+        let mut eliminated = Eliminated { energy: 0.0, residual: vec![0.0; layout.unknowns()], pivots: Pivots::NONE };
         factors.carried.clear();
-        for column in 0..columns {
-            let Factors { columns: eliminations, works, front, carried, .. } = &mut *factors;
-            if column.is_multiple_of(AT_ONCE) {
-                self.compute(values, column..(column + AT_ONCE).min(columns), works);
-            }
-            let (own, next) = (layout.at(column), layout.at(column + 1));
-            let width = own + next;
-            front.clear();
-            front.resize(width * width, 0.0);
-            for (i, row) in carried.chunks_exact(own).enumerate() {
-                front[i * width..][..own].copy_from_slice(row);
-            }
-            for strip in 0..layout.strips {
-                let index = column * layout.strips + strip;
-                let work = &works[column % AT_ONCE * layout.strips + strip];
-                if !work.energy.is_finite() || !work.residual.iter().all(|value| value.is_finite()) {
-                    return Err(SolveError::NotFinite { quantity: Quantity::Tangent, place: self.place(column) });
-                }
-                energy += work.energy;
-                self.scatter(values, work, index, &mut residual);
-                self.add_to_front(work, index, front, width);
-                if column + 1 == columns {
-                    self.add_turn_to_front(values, work, index, front, width);
-                }
-            }
-            for &anchored in self.anchored.iter().filter(|_| column == 0) {
-                residual[anchored] = 0.0;
-                (0..width).for_each(|k| (front[anchored * width + k], front[k * width + anchored]) = (0.0, 0.0));
-                front[anchored * width + anchored] = self.youngs_modulus;
-            }
-            if damping > 0.0 {
-                let own = self.damping(column);
-                own.iter().enumerate().for_each(|(k, own)| front[k * width + k] += damping * own);
-            }
-            let found = eliminations[column].run(front, width, own, true);
-            if !found.regular {
-                return Err(SolveError::Singular { pivot: found.least, place: self.place(column) });
-            }
-            pivots = pivots.and(found);
-            carried.clear();
-            (own..width).for_each(|row| carried.extend_from_slice(&front[row * width + own..][..next]));
+        let [mut own, mut behind] = std::mem::take(&mut factors.works);
+        self.compute(values, 0..AT_ONCE.min(columns), &mut own);
+        for first in (0..columns).step_by(AT_ONCE) {
+            let last = (first + AT_ONCE).min(columns);
+            let next = last..(last + AT_ONCE).min(columns);
+            let (found, ()) = rayon::join(
+                || {
+                    (first..last).try_for_each(|column| {
+                        let works = &own[(column - first) * layout.strips..][..layout.strips];
+                        self.eliminate(values, (column, works), damping, factors, &mut eliminated)
+                    })
+                },
+                || self.compute(values, next, &mut behind),
+            );
+            found?;
+            std::mem::swap(&mut own, &mut behind);
         }
+        factors.works = [own, behind];
+        let Eliminated { energy, mut residual, mut pivots } = eliminated;
         let (n, free) = (layout.face, layout.face - OF_FACE);
         let mut last = std::mem::take(&mut factors.carried);
         if damping > 0.0 {
