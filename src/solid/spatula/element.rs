@@ -202,12 +202,15 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// The same over the functions, in four sums side by side.
+#[inline(always)]
 fn dot_of_functions(a: &[f64; FUNCTIONS], b: &[f64; FUNCTIONS]) -> f64 {
     let mut sums = [0.0; 4];
     for (a, b) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
-        (0..4).for_each(|l| sums[l] += a[l] * b[l]);
+        for l in 0..4 {
+            sums[l] += a[l] * b[l];
+        }
     }
-    sums.iter().sum()
+    sums[0] + sums[1] + (sums[2] + sums[3])
 }
 
 impl Element {
@@ -282,23 +285,7 @@ impl Element {
                 if a == b { block.extend_from_slice(&self.laplacian) } else { block.resize(FUNCTIONS * FUNCTIONS, 0.0) }
             }
         }
-        for point in &self.bulk {
-            let h: [Vector; 3] =
-                std::array::from_fn(|i| std::array::from_fn(|j| dot_of_functions(&own[i], &point.gradient[j])));
-            let response = material.at(&h);
-            let stress = material.stress(&h, &response);
-            work.energy += point.volume * response.energy;
-            for i in 0..3 {
-                let [x, y, z] = stress[i].map(|stress| point.volume * stress);
-                let [gx, gy, gz] = &*point.gradient;
-                for k in 0..FUNCTIONS {
-                    residual[i][k] += x * gx[k] + y * gy[k] + z * gz[k];
-                }
-            }
-            if tangent {
-                work.points.push(TangentPoint::new(point, &response.inverse, material.first, response.pressure));
-            }
-        }
+        work.energy += add_stresses(&self.bulk, &own, material, &mut residual, tangent.then_some(&mut work.points));
         if tangent {
             add_points(&work.points, &mut work.blocks);
         }
@@ -346,14 +333,56 @@ struct TangentPoint {
 }
 
 impl TangentPoint {
+    #[inline(always)]
     fn new(point: &BulkPoint, inverse: &[Vector; 3], first: f64, pressure: f64) -> Self {
         let [gx, gy, gz] = &*point.gradient;
-        let spatial = std::array::from_fn(|a| {
+        let mut spatial = [[0.0; FUNCTIONS]; 3];
+        // loops and not closures: these are not compiled for the vector units that the rest is compiled for
+        for a in 0..3 {
             let [x, y, z] = inverse[a];
-            std::array::from_fn(|k| x * gx[k] + y * gy[k] + z * gz[k])
-        });
+            for k in 0..FUNCTIONS {
+                spatial[a][k] = x * gx[k] + y * gy[k] + z * gz[k];
+            }
+        }
         Self { spatial, factors: [point.volume * first, point.volume * pressure] }
     }
+}
+
+/// Adds the forces of the stresses of all points, and keeps what they add to the tangent where that is asked for; returns their energy.
+#[cfg_attr(
+    not(any(test, feature = "portable", debug_assertions)),
+    multiversion::multiversion(targets("x86_64+avx512f+fma", "x86_64+avx2+fma"))
+)]
+fn add_stresses(
+    bulk: &[BulkPoint],
+    moved: &[[f64; FUNCTIONS]; 3],
+    material: &NeoHookean,
+    residual: &mut [[f64; FUNCTIONS]; 3],
+    mut points: Option<&mut Vec<TangentPoint>>,
+) -> f64 {
+    let mut energy = 0.0;
+    for point in bulk {
+        let mut h = [[0.0; 3]; 3];
+        for i in 0..3 {
+            for j in 0..3 {
+                h[i][j] = dot_of_functions(&moved[i], &point.gradient[j]);
+            }
+        }
+        let response = material.at(&h);
+        let stress = material.stress(&h, &response);
+        energy += point.volume * response.energy;
+        let [gx, gy, gz] = &*point.gradient;
+        for i in 0..3 {
+            let [x, y, z] = [0, 1, 2].map(|j| point.volume * stress[i][j]);
+            for k in 0..FUNCTIONS {
+                residual[i][k] += x * gx[k] + y * gy[k] + z * gz[k];
+            }
+        }
+        if let Some(points) = &mut points {
+            points.push(TangentPoint::new(point, &response.inverse, material.first, response.pressure));
+        }
+    }
+    energy
 }
 
 /// Adds what all points add to the blocks, a row at a time, so that it is written once.
