@@ -47,13 +47,16 @@ pub struct Material {
     pub tangent_modulus: Option<f64>,
 }
 
+/// The shear correction of a rectangle: what a section has unless another is given.
+pub(crate) const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
+
 impl Material {
     /// Young's modulus in GPa and Poisson's ratio, in a rectangular section: k_s = 5/6, and EI as it is.
     pub const fn of(youngs_modulus: f64, poissons_ratio: f64) -> Self {
         Self {
             youngs_modulus,
             poissons_ratio,
-            shear_correction: 5.0 / 6.0,
+            shear_correction: SHEAR_CORRECTION,
             bending_stiffness_factor: 1.0,
             stretch: StretchLaw::Linear,
             yield_strength: None,

@@ -6,6 +6,7 @@ use super::peel::{Hold, PeelModel, Pull};
 use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings, drive_of};
 use crate::adhesion::section::law::Attraction;
 use crate::adhesion::section::line_load::LineLoad;
+use crate::beam::section::SHEAR_CORRECTION;
 use crate::solid::basis::{MOST_SOLID_ORDER, SolidElement};
 use crate::solid::body::SolidBody;
 use crate::solid::contact::SolidContact;
@@ -99,8 +100,6 @@ const MOST_UNKNOWNS: f64 = 1e6;
 /// Most cuts of a grading, and what their ratio may be.
 const MOST_LEVELS: usize = 20;
 const RATIOS: std::ops::RangeInclusive<f64> = 0.05..=0.8;
-/// The shear correction that says nothing, 5/6.
-pub(super) const SHEAR_CORRECTION: f64 = 5.0 / 6.0;
 
 impl SolidError {
     /// The key of a scene that gives the value.
