@@ -200,8 +200,8 @@ struct Zones {
     adhering: f64,
 }
 
-/// A rise over the ground at rest that counts as none, one that is near, and one from which nothing acts, over r0: the traction is 8e-6 of its largest
-/// value there.
+/// A rise over the ground at rest that counts as none, one that is near, and one from which nothing acts, over r0: the traction is below 1e-5 of its
+/// largest value there.
 const FLAT: f64 = 0.1;
 const NEAR: f64 = 12.0;
 const OUT_OF_REACH: f64 = 50.0;
