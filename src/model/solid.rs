@@ -3,10 +3,8 @@
 use super::body::Body;
 use super::check::error::ModelError;
 use super::peel::{Hold, PeelModel, Pull};
-use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings, drive_of};
-use crate::adhesion::section::law::Attraction;
+use super::solid_spatula::{SolidSpatulaError, SolidSpatulaSettings, drive_of, of_beams_alone};
 use crate::adhesion::section::line_load::LineLoad;
-use crate::beam::section::SHEAR_CORRECTION;
 use crate::solid::basis::{MOST_SOLID_ORDER, SolidElement};
 use crate::solid::body::SolidBody;
 use crate::solid::contact::SolidContact;
@@ -254,34 +252,19 @@ fn not_a_strip(model: &PeelModel) -> SolidError {
 /// That a model has nothing that a solid does not have.
 fn what_a_solid_has(model: &PeelModel) -> Result<(), SolidError> {
     let Some(strip) = model.strip() else { return Err(not_a_strip(model)) };
-    let of_half_space = matches!(model.adhesion.attraction, Attraction::BodyForce | Attraction::SurfaceTraction);
     let refused = [
         (strip.crack.is_some(), "strip.crack", "adheres over its whole length"),
-        (
-            strip.material.bending_stiffness_factor != 1.0,
-            "strip.bending_stiffness_factor",
-            "bends as its material does",
-        ),
-        (
-            (strip.material.shear_correction - SHEAR_CORRECTION).abs() > 1e-12,
-            "strip.shear_correction",
-            "shears as its material does",
-        ),
         (strip.layers.is_some(), "strip.layers", "is of one material"),
         (!strip.material.stretch.is_linear(), "strip.stretch", "stretches as its `solid.material` does"),
         (strip.material.yield_strength.is_some(), "strip.yield_strength", "is elastic"),
-        (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
         (model.adhesion.line_load != LineLoad::Full, "adhesion.line_load", "has no line load"),
         (model.adhesion.shear_strength.is_some(), "adhesion.shear_strength", "slides freely along the ground"),
         (!model.adhesion.healing, "adhesion.healing", "adheres again where it comes back"),
         (!model.ground.substrate.is_flat(), "substrate.shape", "lies on flat ground"),
-        (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
-        (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
-        (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
-        (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
         (model.space.is_some(), "space", "is computed in the plane"),
     ];
-    refused.into_iter().find(|refused| refused.0).map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
+    let found = refused.into_iter().chain(of_beams_alone(model)).find(|refused| refused.0);
+    found.map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
 }
 
 /// Elements that are longer than what they have to resolve.

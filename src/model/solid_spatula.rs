@@ -133,7 +133,7 @@ impl SolidSpatulaSettings {
         self.check()?;
         let zones = Zones::of(model)?;
         let pressed = (model.ground.start == Start::Conformed).then_some(zones.pad);
-        let stations = self.stations(&*model.body.geometry().shared(), &zones)?;
+        let stations = self.stations(model.body.geometry(), &zones)?;
         Ok(SpatulaMesh { stations, sides: self.sides(), adhering: zones.adhering, pressed })
     }
 
@@ -246,29 +246,36 @@ pub(super) fn drive_of(model: &PeelModel) -> GripDrive {
     GripDrive { rotation, across, direction: model.pull.direction(), turn: model.pull.turn }
 }
 
-/// Keys of a beam's section, which a solid does not have.
-const OF_SPATULA: [&str; 2] = ["spatula.bending_stiffness_factor", "spatula.shear_correction"];
-const OF_PROFILE: [&str; 2] = ["profile.bending_stiffness_factor", "profile.shear_correction"];
-
 fn not_of_solid(key: &'static str, why: &'static str) -> SolidSpatulaError {
     SolidSpatulaError::NotOfSolid { key, why }
 }
 
 /// That a model has nothing that a solid spatula does not have.
 fn what_it_has(model: &PeelModel) -> Result<(), SolidSpatulaError> {
+    let refused = [
+        (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
+        (model.space.is_some(), "space", "is pulled in its plane of symmetry"),
+    ];
+    let found = refused.into_iter().chain(of_beams_alone(model)).find(|refused| refused.0);
+    found.map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
+}
+
+/// What no solid has, whether it is given, and what a solid does instead.
+pub(super) fn of_beams_alone(model: &PeelModel) -> [(bool, &'static str, &'static str); 7] {
     let of_half_space = matches!(model.adhesion.attraction, Attraction::BodyForce | Attraction::SurfaceTraction);
     let material = model.body.geometry().material();
-    let keys = if matches!(model.body, Body::Profile(_)) { OF_PROFILE } else { OF_SPATULA };
-    let refused = [
-        (material.bending_stiffness_factor != 1.0, keys[0], "bends as its material does"),
-        ((material.shear_correction - SHEAR_CORRECTION).abs() > 1e-12, keys[1], "shears as its material does"),
+    let [bending, shear] = match model.body {
+        Body::Strip(_) => ["strip.bending_stiffness_factor", "strip.shear_correction"],
+        Body::Spatula(_) => ["spatula.bending_stiffness_factor", "spatula.shear_correction"],
+        Body::Profile(_) => ["profile.bending_stiffness_factor", "profile.shear_correction"],
+    };
+    [
+        (material.bending_stiffness_factor != 1.0, bending, "bends as its material does"),
+        ((material.shear_correction - SHEAR_CORRECTION).abs() > 1e-12, shear, "shears as its material does"),
         (!of_half_space, "adhesion.law", "adheres by the forces of a half space"),
-        (model.adhesion.far_face, "adhesion.far_face", "adheres by its underside alone"),
         (model.friction.strength.is_some(), "friction.strength", "slides freely along the ground"),
         (model.grip.pretension.is_some(), "grip.pretension", "adheres without pretension"),
         (model.grip.stiffness.is_some(), "grip.stiffness", "is moved by its grip itself"),
         (!model.steps.is_empty(), "drive.steps", "is pulled from rest"),
-        (model.space.is_some(), "space", "is pulled in its plane of symmetry"),
-    ];
-    refused.into_iter().find(|refused| refused.0).map_or(Ok(()), |(_, key, why)| Err(not_of_solid(key, why)))
+    ]
 }

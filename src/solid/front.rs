@@ -69,14 +69,10 @@ impl Elimination {
         pivots
     }
 
-    /// The factor of row `row` for the pivot `k`.
+    /// The factor of row `row` for the pivot `k`, of a matrix that is not symmetric.
     #[inline(always)]
     fn factor(&self, row: usize, k: usize) -> f64 {
-        if self.lower.is_empty() {
-            self.upper[k * self.size + row] / self.upper[k * self.size + k]
-        } else {
-            self.lower[row * self.eliminated + k]
-        }
+        self.lower[row * self.eliminated + k]
     }
 
     /// A right-hand side taken down: of K, or of Kᵀ.
