@@ -31,6 +31,16 @@ pub const WORKS: &[Unit] = &[
     unit("mJ", 1e15),
     unit("J", 1e18),
 ];
+/// Units of moments, from small to large.
+pub const MOMENTS: &[Unit] = &[
+    unit("nN nm", 1.0),
+    unit("nN µm", 1e3),
+    unit("µN µm", 1e6),
+    unit("mN µm", 1e9),
+    unit("mN mm", 1e12),
+    unit("N mm", 1e15),
+    unit("N m", 1e18),
+];
 /// Units of bending stiffnesses, from small to large.
 pub const BENDING_STIFFNESSES: &[Unit] = &[
     unit("nN nm²", 1.0),

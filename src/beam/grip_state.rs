@@ -54,6 +54,19 @@ pub struct PlaceInSpace {
     pub roll: f64,
 }
 
+/// Where the equilibria of a step have lost their stability and the beam has jumped, with the grip where it was.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StepJump {
+    /// Number of the step, from 1; that of letting go before the pull is the last one's
+    pub step: usize,
+    /// Where stability was lost
+    pub before: GripState,
+    /// Where the beam has come to rest
+    pub after: GripState,
+    /// Energy that it released, aJ
+    pub released: f64,
+}
+
 /// The grip in the steps before a pull, seen from where it took hold.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepsTaken {
@@ -61,4 +74,6 @@ pub struct StepsTaken {
     pub ends: Vec<GripState>,
     /// At the equilibria of each step, from where it begins; those of a step that has no end as far as they go.
     pub ways: Vec<Vec<GripState>>,
+    /// Jumps on the way
+    pub jumps: Vec<StepJump>,
 }

@@ -16,7 +16,7 @@ pub use element::basis::MOST_ORDER;
 pub use element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState};
 pub use element::integrand::{Integrand, PointEnergy, PointGradient};
 pub use element::integration::{Element, ElementEnergy, Integration, Responses};
-pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace, StepsTaken};
+pub use grip_state::{ForcesInSpace, GripForces, GripState, PlaceInSpace, StepJump, StepsTaken};
 pub use material::stretch_law::{StretchLaw, StretchResponse};
 pub use mesh::{Focus, MeshIntervals, MeshKind, MeshPolicy, Reach};
 pub use planar::chain::{

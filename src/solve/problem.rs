@@ -109,6 +109,13 @@ impl Problem {
         self.start = InitialState::Known { at, settling: self.start.settles() };
     }
 
+    /// Lets the structure settle to the equilibrium that is known, which is on another mesh.
+    pub(crate) fn settles(&mut self) {
+        if let InitialState::Known { settling, .. } = &mut self.start {
+            *settling = true;
+        }
+    }
+
     /// U = u + P/k of a state: how far what moves the grip is from where displacements are zero, nm.
     pub fn displacement(&self, at: &State) -> f64 {
         self.grip.grip_displacement(&self.system.interface_values(at)) + self.grip.compliance * at.force

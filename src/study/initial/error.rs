@@ -1,12 +1,14 @@
 //! Why a path has no start.
 
 use crate::beam::grip_state::{ForcesInSpace, GripForces, StepsTaken};
+use crate::beam::planar::model_end::CollapsedSection;
 use crate::beam::planar::model_limits::UprightSection;
 use crate::model::problem::build::NoSuchOrder;
 use crate::model::step::{Moved, Step, whole_degrees};
 use crate::solve::error::SolveError;
 use crate::solve::path::options::PathError;
 use crate::solve::relax::RelaxError;
+use crate::units::{FORCES, LENGTHS, MOMENTS, Unit};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -38,6 +40,12 @@ impl NoEquilibrium {
     /// Whether the model was refused by a criterion with a name, and not for want of a solution.
     pub(crate) fn is_refusal(&self) -> bool {
         matches!(self, Self::Unstable { .. })
+    }
+
+    /// Whether a step before the pull has ended where the beam would jump.
+    pub(super) fn is_loss_of_stability(&self) -> bool {
+        let Self::Loading { cause, .. } = self else { return false };
+        matches!(**cause, LoadingError::Turns { .. } | LoadingError::Unstable { .. })
     }
 }
 
@@ -141,6 +149,26 @@ pub enum LoadingError {
     /// What it moves turns back.
     #[error("comes to a limit point at {at}, beyond which the beam jumps")]
     Turns { at: LoadingProgress },
+    /// The beam jumps, and does not come to rest.
+    #[error("comes to where the beam jumps, at {at}, and it does not come to rest: {cause}")]
+    NoRest { at: LoadingProgress, cause: RelaxError },
+    /// The beam jumps to where it is none.
+    #[error("comes to where the beam jumps, at {at}, and {section}")]
+    Collapses { at: LoadingProgress, section: CollapsedSection },
+    /// The beam jumps off, and no step behind that presses it down again.
+    #[error(
+        "comes to a limit point at {at}, where the beam jumps off the substrate, and nothing adheres where the pull begins"
+    )]
+    Off { at: LoadingProgress },
+    /// The beam jumps to where a section stands upright and the law has a pole.
+    #[error("comes to where the beam jumps, at {at}, and {section}")]
+    Upright { at: LoadingProgress, section: UprightSection },
+    /// The beam jumps to where its free end stands on its edge.
+    #[error("comes to where the beam jumps, at {at}, and its free end comes to stand upright, on its edge")]
+    OnEnd { at: LoadingProgress },
+    /// It jumps again and again.
+    #[error("has jumped {jumps} times, the last time at {at}")]
+    Jumps { at: LoadingProgress, jumps: usize },
     /// Its equilibria go into the substrate.
     #[error("leads through the surface of the substrate, beyond {at}")]
     Inside { at: LoadingProgress },
@@ -210,12 +238,24 @@ impl fmt::Display for LoadingUnit {
 impl fmt::Display for LoadingProgress {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Self { amount, unit, forces: GripForces { horizontal, vertical, moment, in_space } } = self;
-        write!(f, "{amount:.6} {unit} (H = {horizontal:.6} nN, V = {vertical:.6} nN, M = {moment:.6} nN nm")?;
+        match unit {
+            LoadingUnit::Nanometre => f.write_str(&fitted(LENGTHS, *amount))?,
+            LoadingUnit::Radian | LoadingUnit::Degree => write!(f, "{amount:.6} {unit}")?,
+        }
+        let [horizontal, vertical] = [horizontal, vertical].map(|force| fitted(FORCES, *force));
+        write!(f, " (H = {horizontal}, V = {vertical}, M = {}", fitted(MOMENTS, *moment))?;
         if let Some(ForcesInSpace { lateral, yaw_moment, torque }) = in_space {
-            write!(f, ", sideways {lateral:.6} nN, on the yaw {yaw_moment:.6} nN nm, on the roll {torque:.6} nN nm")?;
+            let [yaw_moment, torque] = [yaw_moment, torque].map(|moment| fitted(MOMENTS, *moment));
+            write!(f, ", sideways {}, on the yaw {yaw_moment}, on the roll {torque}", fitted(FORCES, *lateral))?;
         }
         f.write_str(")")
     }
+}
+
+/// A number in the unit that fits it.
+fn fitted(units: &[Unit], value: f64) -> String {
+    let unit = Unit::fitting(units, value.abs());
+    format!("{:.6} {}", unit.of(value), unit.name)
 }
 
 /// A problem that has no start, and what the grip did before that was known.
@@ -225,5 +265,5 @@ pub struct NotPrepared {
     /// Why there is no equilibrium to start from
     pub why: NoEquilibrium,
     /// The grip in the steps before the pull, as far as they were taken.
-    pub steps: StepsTaken,
+    pub steps: Box<StepsTaken>,
 }

@@ -3,22 +3,26 @@
 //! A step moves one thing of the grip, its height, its place along the substrate or its rotation. Held meanwhile are the height,
 //! and place and rotation as far as the scene's grip holds them; a place that a step has moved in a grip that is free there is let go
 //! before the next step, and before the pull: the force on what is free falls to zero first. The equilibria are followed as a path in
-//! what is moved; there is no time in it. A step ends at its amount, and not beyond a loss of stability, where a beam would jump.
+//! what is moved; there is no time in it. Where they lose their stability the beam jumps, by gradient flow of its energy, and the step goes on
+//! from where it comes to rest: [`super::step_jump`]. A beam without an energy that falls does not: its step ends there.
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
-use crate::beam::grip_state::{GripState, StepsTaken};
+use super::step_jump::{MOST_JUMPS, StabilityLoss, jumped};
+use crate::beam::grip_state::{GripState, StepJump, StepsTaken};
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::peel::PeelModel;
+use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::model::step::{Moved, Step};
+use crate::solve::error::SolveError;
 use crate::solve::frontal::nodes::BUNDLE;
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::PathOptions;
 use crate::solve::path::predictor::MOST_POINTS;
 use crate::solve::path::segment::PathSegment;
-use crate::solve::points::locate::{Located, locate};
+use crate::solve::points::locate::locate;
 use crate::solve::points::search::LimitPointKind;
 use crate::solve::state::{Observables, PathConstraint, State};
 use crate::solve::workspace::{Pace, ShouldStop, Workspace};
@@ -44,11 +48,38 @@ const FIRST: f64 = 0.02;
 const OF_WAY: f64 = 0.1;
 /// Most equilibria of a step.
 const MOST_EQUILIBRIA: usize = 500;
+/// Most solutions by which a goal is approached in shorter steps.
+const MOST_HALVED: usize = 40;
 /// Parts of a segment of the path in which its end is looked for.
 const PARTS: usize = 64;
 
 /// Takes the steps of a model: its problem then starts where they have led, unless one of them has no end.
+///
+/// A beam whose horizontal force is a multiplier has no energy that falls: where it would jump the steps are taken once more with x at every node.
 pub(super) fn take(
+    model: &PeelModel,
+    how: Discretisation,
+    problem: &mut BeamProblem,
+    should_stop: Option<ShouldStop>,
+) -> (StepsTaken, Result<(), NoEquilibrium>) {
+    let from_rest = problem.start.known().is_none();
+    let (steps, taken) = take_with(model, problem, should_stop.clone());
+    let jumps = taken.as_ref().err().is_some_and(NoEquilibrium::is_loss_of_stability);
+    let Some(own) = problem.beam.planar().filter(|beam| jumps && from_rest && beam.chain.has_border()).cloned() else {
+        return (steps, taken);
+    };
+    let Ok(mut with_x) = model.discretised(Discretisation { form: Form::ThreeField, ..how }, |_| {}) else {
+        return (steps, taken);
+    };
+    let (steps, taken) = take_with(model, &mut with_x, should_stop);
+    if let Some((at, beam)) = with_x.start.known().zip(with_x.beam.planar()).filter(|_| taken.is_ok()) {
+        problem.start_at(Arc::new(own.without_x(at, beam)));
+        problem.settles();
+    }
+    (steps, taken)
+}
+
+fn take_with(
     model: &PeelModel,
     problem: &mut BeamProblem,
     should_stop: Option<ShouldStop>,
@@ -59,10 +90,13 @@ pub(super) fn take(
     let pull = GripControl::of(problem);
     let mut sequence = LoadingSequence {
         elements: elements(model, problem),
+        far: model.line_law().cutoff_distance(),
         azimuth: model.space.map(|space| space.azimuth),
         pull,
         first: None,
         should_stop,
+        number: 1,
+        last_jump: None,
         taken: StepsTaken::default(),
     };
     let taken = sequence.all(&model.steps, problem);
@@ -89,14 +123,24 @@ pub(super) fn elements(model: &PeelModel, problem: &BeamProblem) -> usize {
 struct Goal {
     what: LimitPointKind,
     value: f64,
+    /// Displacement that jumps on the way have left behind.
+    done: f64,
     /// First displacement on the way there.
     first: f64,
     unit: LoadingUnit,
 }
 
+/// What a path leads to: its goal, or a loss of stability before it.
+enum WayEnd {
+    Goal(Arc<Solution>),
+    Loss(StabilityLoss),
+}
+
 /// Steps under way.
 struct LoadingSequence {
     elements: usize,
+    /// Where the adhesion is neglected, nm
+    far: f64,
     /// Of the pull in space, rad
     azimuth: Option<f64>,
     /// What the grip does in the pull behind them.
@@ -104,6 +148,10 @@ struct LoadingSequence {
     /// Where they began.
     first: Option<Arc<State>>,
     should_stop: Option<ShouldStop>,
+    /// Of the step that is taken
+    number: usize,
+    /// The step in which the beam has jumped last, and where
+    last_jump: Option<(usize, LoadingProgress)>,
     /// The grip in the steps so far.
     taken: StepsTaken,
 }
@@ -113,6 +161,7 @@ impl LoadingSequence {
         let failed = |phase: LoadingPhase| move |cause| NoEquilibrium::Loading { phase, cause: Box::new(cause) };
         self.begin(problem).map_err(failed(LoadingPhase::Start))?;
         for (number, &step) in (1..).zip(steps) {
+            self.number = number;
             let moved = step.motion().map_or(Moved::Height, |(moved, _)| moved);
             if step != Step::Hold {
                 self.take_hold(problem, moved).map_err(failed(LoadingPhase::LettingGo { number, step }))?;
@@ -130,7 +179,14 @@ impl LoadingSequence {
             self.taken.ends.extend(end);
         }
         self.pull.set(problem);
-        self.let_go(problem).map_err(failed(LoadingPhase::LettingGoToPull))
+        self.let_go(problem).map_err(failed(LoadingPhase::LettingGoToPull))?;
+        let off = problem.start.known().is_some_and(|at| problem.beam.is_clear(at, self.far));
+        match self.last_jump.filter(|_| off) {
+            Some((number, at)) => {
+                Err(failed(LoadingPhase::Step { number, step: steps[number - 1] })(LoadingError::Off { at }))
+            }
+            None => Ok(()),
+        }
     }
 
     /// The grip where the problem begins.
@@ -148,19 +204,20 @@ impl LoadingSequence {
         let start =
             Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(LoadingError::Start)?;
         let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
-        self.lead(problem, (&start, LoadingUnit::Nanometre), &constraint)?;
+        let here = Goal::moved(problem, Moved::Height, problem.grip.displacement_scale());
+        self.lead(problem, (&start, here), &constraint)?;
         self.first = problem.start.known().cloned();
         Ok(())
     }
 
     /// Makes the grip move this and hold the rest, from the equilibrium where it is.
-    fn take_hold(&self, problem: &mut BeamProblem, moved: Moved) -> Result<(), LoadingError> {
+    fn take_hold(&mut self, problem: &mut BeamProblem, moved: Moved) -> Result<(), LoadingError> {
         self.pull.moving(problem, self.azimuth, moved).set(problem);
         self.let_go(problem)
     }
 
     /// Lets the force on what the grip does not hold fall to zero, with all else held.
-    fn let_go(&self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
+    fn let_go(&mut self, problem: &mut BeamProblem) -> Result<(), LoadingError> {
         let control = GripControl::of(problem);
         let Some(at) = problem.start.known().cloned() else { return Ok(()) };
         let Some(LettingGo { control: meanwhile, force }) = control.letting_go(problem, self.pull.driven, &at) else {
@@ -173,7 +230,7 @@ impl LoadingSequence {
     }
 
     /// Lets the vertical force fall to zero, with the height as what moves.
-    fn release(&self, problem: &mut BeamProblem, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
+    fn release(&mut self, problem: &mut BeamProblem, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
         let Some(at) = problem.start.known() else { return Ok(()) };
         let force = problem.beam.grip_forces(at).vertical;
         if force.abs() < NONE * problem.measure.force {
@@ -196,14 +253,45 @@ impl LoadingSequence {
     }
 
     /// Follows the equilibria from where the problem begins to the goal, where it then begins; the grip at those between goes to the `way`.
-    fn follow(&self, problem: &mut BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
-        let end = self.path(problem, goal, way)?;
-        let weights = goal.weights();
-        self.lead(problem, (&end, goal.unit), &PathConstraint { weights, target: goal.value })
+    fn follow(&mut self, problem: &mut BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<(), LoadingError> {
+        let (mut goal, mut jumps) = (goal, 0);
+        loop {
+            let loss = match self.path(problem, goal, way)? {
+                WayEnd::Goal(end) => {
+                    let constraint = PathConstraint { weights: goal.weights(), target: goal.value };
+                    return self.lead(problem, (&end, goal), &constraint);
+                }
+                WayEnd::Loss(loss) if jumps == MOST_JUMPS => return Err(LoadingError::Jumps { at: loss.at, jumps }),
+                WayEnd::Loss(loss) => loss,
+            };
+            jumps += 1;
+            goal = self.jump(problem, goal, &loss, way)?;
+        }
     }
 
-    /// The solution at the goal, on the elements of the path there.
-    fn path(&self, problem: &BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<Solution, LoadingError> {
+    /// Lets the beam jump from where it has lost its stability: the problem then begins where it comes to rest. The goal, seen from there.
+    fn jump(
+        &mut self,
+        problem: &mut BeamProblem,
+        goal: Goal,
+        loss: &StabilityLoss,
+        way: &mut Vec<GripState>,
+    ) -> Result<Goal, LoadingError> {
+        let before = self.grip_in(problem, &loss.solution.at);
+        let landed = jumped(problem, loss, goal.first.signum(), self.should_stop.clone())?;
+        let after = self.grip_in(problem, &landed.solution.at);
+        let goal = goal.behind(problem, &landed.solution);
+        problem.start_at(Arc::new(landed.solution.at));
+        if let Some((before, after)) = before.zip(after) {
+            way.extend([before, after]);
+            self.taken.jumps.push(StepJump { step: self.number, before, after, released: landed.released });
+        }
+        self.last_jump = Some((self.number, loss.at));
+        Ok(goal)
+    }
+
+    /// The solution at the goal, on the elements of the path there, unless that loses its stability before.
+    fn path(&self, problem: &BeamProblem, goal: Goal, way: &mut Vec<GripState>) -> Result<WayEnd, LoadingError> {
         let mut path = Path::new(problem, self.options(goal.first)).until(self.should_stop.clone());
         let start = path.advance().map_err(LoadingError::Start)?;
         let value = goal.what.pick();
@@ -211,7 +299,7 @@ impl LoadingSequence {
         let is_there = |o: &Observables| (value(o) - goal.value) * onward >= 0.0;
         // a force that was round-off
         if is_there(&start.observables) {
-            return Ok(Solution::clone(&start));
+            return Ok(WayEnd::Goal(start));
         }
         let mut before = start.clone();
         while path.points().len() < MOST_EQUILIBRIA {
@@ -229,17 +317,20 @@ impl LoadingSequence {
                 let label = |part: usize| segment.end() * part as f64 / PARTS as f64;
                 let at = |label: f64| segment.observable(value, 0.5 * segment.end()).at(label).0;
                 let part = (1..=PARTS).find(|&part| (at(label(part)) - goal.value) * onward >= 0.0);
+                let lost = || lost(problem, &segment, goal, [&before, &here], turned).map(WayEnd::Loss);
                 let Some(part) = part.or(is_there(&here.observables).then_some(PARTS)) else {
-                    return Err(lost(problem, &segment, goal, &before, turned));
+                    return lost();
                 };
                 let constraint = PathConstraint { weights: goal.weights(), target: goal.value };
                 let guess = segment.start(problem, label(part) - 0.5 * label(1), 4);
                 let end = solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default());
-                let end = end.map_err(|why| match turned {
-                    true => lost(problem, &segment, goal, &before, turned),
-                    false => LoadingError::End { at: goal.reached(problem, &before), why },
-                })?;
-                return if is_lost(&end) { Err(lost(problem, &segment, goal, &before, turned)) } else { Ok(end) };
+                return match end {
+                    Ok(end) if is_lost(&end) && turned => lost(),
+                    Ok(end) if is_lost(&end) => Ok(WayEnd::Loss(branched(problem, goal, &before, Arc::new(end)))),
+                    Ok(end) => Ok(WayEnd::Goal(Arc::new(end))),
+                    Err(_) if turned => lost(),
+                    Err(why) => by_shorter_steps(problem, goal, &before, why),
+                };
             }
             way.extend(self.grip_in(problem, &here.at));
             before = here;
@@ -252,14 +343,14 @@ impl LoadingSequence {
     fn lead(
         &self,
         problem: &mut BeamProblem,
-        (end, unit): (&Solution, LoadingUnit),
+        (end, goal): (&Solution, Goal),
         constraint: &PathConstraint,
     ) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], &end.aligned(problem).mesh.follows, 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
-        let at = unit.reached(problem.beam.grip_forces(&end.at), end.observables.displacement);
+        let at = goal.reached(problem, end);
         problem.start_at(Arc::new(settled.map_err(|why| LoadingError::End { at, why })?.at));
         Ok(())
     }
@@ -269,13 +360,24 @@ impl Goal {
     /// That what moves has come so far, nm or rad.
     fn moved(problem: &BeamProblem, moved: Moved, amount: f64) -> Self {
         let first = (FIRST * problem.grip.displacement_scale()).min(OF_WAY * amount.abs()).copysign(amount);
-        Self { what: LimitPointKind::Displacement, value: amount, first, unit: LoadingUnit::of(moved, amount) }
+        let unit = LoadingUnit::of(moved, amount);
+        Self { what: LimitPointKind::Displacement, value: amount, done: 0.0, first, unit }
     }
 
     /// That this force on what moves has fallen to zero.
     fn without(problem: &BeamProblem, force: f64) -> Self {
         let first = -(FIRST * problem.grip.displacement_scale()).copysign(force);
-        Self { what: LimitPointKind::Load, value: 0.0, first, unit: LoadingUnit::Nanometre }
+        Self { what: LimitPointKind::Load, value: 0.0, done: 0.0, first, unit: LoadingUnit::Nanometre }
+    }
+
+    /// The same goal, seen from where the beam has jumped to.
+    fn behind(self, problem: &BeamProblem, landed: &Solution) -> Self {
+        let Observables { displacement, force, .. } = landed.observables;
+        let done = self.done + displacement;
+        match self.what {
+            LimitPointKind::Displacement => Self { value: self.value - displacement, done, ..self },
+            LimitPointKind::Load => Self { done, ..Self::without(problem, force) },
+        }
     }
 
     fn weights(self) -> Observables {
@@ -286,23 +388,60 @@ impl Goal {
     }
 
     fn reached(self, problem: &BeamProblem, solution: &Solution) -> LoadingProgress {
-        self.unit.reached(problem.beam.grip_forces(&solution.at), solution.observables.displacement)
+        let moved = self.done + solution.observables.displacement;
+        self.unit.reached(problem.beam.grip_forces(&solution.at), moved)
     }
 }
 
-/// Why a segment that loses its stability does not lead to the goal: the displacement turns, or the path branches.
-fn lost(problem: &BeamProblem, segment: &PathSegment, goal: Goal, before: &Solution, turned: bool) -> LoadingError {
-    let whole = (0.0, segment.end());
-    let turn = |at: Located| {
-        let forces = problem.beam.grip_forces(&at.solution.at);
-        LoadingError::Turns { at: goal.unit.reached(forces, at.observables.displacement) }
-    };
-    let located = turned
-        .then(|| locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default()).ok());
-    match located.flatten() {
-        Some(at) => turn(at),
-        None => LoadingError::Unstable { at: goal.reached(problem, before) },
+/// Where a segment loses its stability: at a limit point of the displacement, or, where that does not turn, beyond a branch point.
+fn lost(
+    problem: &BeamProblem,
+    segment: &PathSegment,
+    goal: Goal,
+    [before, here]: [&Arc<Solution>; 2],
+    turned: bool,
+) -> Result<StabilityLoss, LoadingError> {
+    if !turned {
+        return Ok(branched(problem, goal, before, here.clone()));
     }
+    let whole = (0.0, segment.end());
+    let located = locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default());
+    let limit = located.map_err(|_| LoadingError::Unstable { at: goal.reached(problem, before) })?;
+    let (forces, displacement) = (problem.beam.grip_forces(&limit.solution.at), limit.observables.displacement);
+    let at = goal.unit.reached(forces, goal.done + displacement);
+    Ok(StabilityLoss { at, turns: true, displacement, solution: limit.solution })
+}
+
+/// A loss of stability between two solutions, of which the second is unstable.
+fn branched(problem: &BeamProblem, goal: Goal, before: &Solution, unstable: Arc<Solution>) -> StabilityLoss {
+    let (at, displacement) = (goal.reached(problem, before), unstable.observables.displacement);
+    StabilityLoss { at, turns: false, displacement, solution: unstable }
+}
+
+/// The solution at the goal, from one before it by steps along the tangent, each half as long where it finds none.
+fn by_shorter_steps(
+    problem: &BeamProblem,
+    goal: Goal,
+    before: &Arc<Solution>,
+    why: SolveError,
+) -> Result<WayEnd, LoadingError> {
+    let (value, weights) = (goal.what.pick(), goal.weights());
+    let (mut here, mut part, mut why) = (before.clone(), 0.5, why);
+    for _ in 0..MOST_HALVED {
+        let (from, slope) = (value(&here.observables), value(&here.slope));
+        let ahead = part * (goal.value - from);
+        let constraint = PathConstraint { weights, target: if part < 1.0 { from + ahead } else { goal.value } };
+        let guess = here.moved(problem, ahead / slope);
+        match solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default()) {
+            Ok(next) if problem.system.is_conservative() && next.negative > here.negative => {
+                return Ok(WayEnd::Loss(branched(problem, goal, &here, Arc::new(next))));
+            }
+            Ok(next) if part == 1.0 => return Ok(WayEnd::Goal(Arc::new(next))),
+            Ok(next) => (here, part) = (Arc::new(next), (2.0 * part).min(1.0)),
+            Err(cause) => (why, part) = (cause, 0.5 * part),
+        }
+    }
+    Err(LoadingError::End { at: goal.reached(problem, &here), why })
 }
 
 fn newton(tolerance: f64) -> NewtonOptions {

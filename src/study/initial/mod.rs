@@ -5,3 +5,4 @@ mod loading_steps;
 pub(crate) mod prepared;
 mod settled;
 pub(super) mod stability;
+mod step_jump;

@@ -30,24 +30,24 @@ pub fn prepared(
     how: Discretisation,
     should_stop: Option<ShouldStop>,
 ) -> Result<Prepared, NotPrepared> {
-    let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: StepsTaken::default() };
+    let refused = |why: UnstableRest| NotPrepared { why: why.into(), steps: Box::default() };
     stability::check_bonded(model).map_err(refused)?;
     let discretised = |how: Discretisation| {
         let problem = model.discretised(how, |_| {});
-        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: StepsTaken::default() })
+        problem.map_err(|why| NotPrepared { why: NoEquilibrium::Order(why), steps: Box::default() })
     };
     let mut problem = discretised(how)?;
     if !model.ground.substrate.is_flat() {
         // it may touch anywhere
         let fixed = discretised(how.on(MeshKind::Graded))?;
         let at = settled::settled_on_ground(&fixed, &model.ground, model.contact_extent(), &should_stop)
-            .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: StepsTaken::default() })?;
+            .map_err(|why| NotPrepared { why: NoEquilibrium::OnGround(why), steps: Box::default() })?;
         problem.start_at(Arc::new(at));
     }
     settled::settle_in_space(model, &mut problem, &should_stop);
     let relaxed = stability::stabilise(model, how, &mut problem, &should_stop).map_err(refused)?;
-    match loading_steps::take(model, &mut problem, should_stop) {
+    match loading_steps::take(model, how, &mut problem, should_stop) {
         (steps, Ok(())) => Ok(Prepared { problem, steps, relaxed }),
-        (steps, Err(why)) => Err(NotPrepared { why, steps }),
+        (steps, Err(why)) => Err(NotPrepared { why, steps: Box::new(steps) }),
     }
 }

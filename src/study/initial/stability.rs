@@ -3,6 +3,7 @@
 
 use super::error::UnstableRest;
 use super::loading_steps::elements;
+use super::step_jump::UPRIGHT;
 use crate::beam::bonded_beam::{BondedBeam, BondedMode};
 use crate::model::peel::{Adhesion, Form, Hold, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
@@ -11,7 +12,6 @@ use crate::solve::newton::Solution;
 use crate::solve::path::equilibrium_path::Path;
 use crate::solve::path::options::{PathError, PathOptions};
 use crate::solve::path::predictor::MOST_POINTS;
-use crate::solve::problem::InitialState;
 use crate::solve::relax::{Held, RelaxError, RelaxOptions, disturbed_anyhow, relax};
 use crate::solve::state::State;
 use crate::solve::workspace::{ShouldStop, Workspace};
@@ -30,8 +30,6 @@ pub struct RelaxedStart {
 
 /// Places at which the sections of a beam of varying outline are looked at.
 const PLACES: usize = 64;
-/// The accuracy to which a start must be free of upright sections.
-const UPRIGHT: f64 = 1e-6;
 /// Waves on a bonded beam that are those of an infinite one.
 const WAVES: f64 = 2.0;
 /// Error of the equilibrium whose eigenvalues are counted.
@@ -124,9 +122,7 @@ pub(super) fn stabilise(
     };
     let released = energy(&first.at) - energy(&at);
     problem.start_at(Arc::new(at));
-    if let InitialState::Known { settling, .. } = &mut problem.start {
-        *settling = true;
-    }
+    problem.settles();
     Ok(Some(RelaxedStart { negative, released }))
 }
 

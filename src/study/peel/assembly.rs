@@ -222,6 +222,7 @@ pub(in crate::study) fn empty(model: &PeelModel) -> Peel {
         model: model.clone(),
         steps: Vec::new(),
         step_ways: Vec::new(),
+        step_jumps: Vec::new(),
         relaxed_start: None,
         points: Vec::new(),
         limit_points: Vec::new(),

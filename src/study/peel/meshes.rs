@@ -77,9 +77,11 @@ pub(super) fn on_meshes(
         Ok(prepared) => prepared,
         Err(NotPrepared { why, steps }) => {
             let (end, asked) = (PathEnd::Failed(Failure::NoStart(why)), accuracy.relative);
+            let StepsTaken { ends, ways, jumps } = *steps;
             return Peel {
-                steps: steps.ends,
-                step_ways: steps.ways,
+                steps: ends,
+                step_ways: ways,
+                step_jumps: jumps,
                 end,
                 asked,
                 choice: accuracy.choice,
@@ -154,7 +156,8 @@ pub(super) fn on_meshes(
     }
     let given_up = stopped.or_else(|| budget.is_spent().then_some(GivenUp::Work));
     let mut peel = best.map_or_else(|| empty(model), |best| best.into_peel(given_up));
-    (peel.steps, peel.step_ways, peel.relaxed_start) = (steps.ends, steps.ways, relaxed);
+    (peel.steps, peel.step_ways, peel.step_jumps) = (steps.ends, steps.ways, steps.jumps);
+    peel.relaxed_start = relaxed;
     peel.effort.newton_iterations = iterations;
     peel.unfinished = unfinished;
     peel

@@ -1,7 +1,7 @@
 //! The whole peel of one model: path, special points, error bounds, how it ended.
 
 use super::solution_history::{BranchPoint, DeformedShape, LimitPoint, PathPoint, Peak, SolutionHistory};
-use crate::beam::grip_state::GripState;
+use crate::beam::grip_state::{GripState, StepJump};
 use crate::beam::planar::chain::NodeState;
 use crate::beam::planar::model_limits::{BondedLoss, UprightSection};
 use crate::beam::spatial::section_state::{SpatialSectionPlace, SpatialSectionState};
@@ -102,6 +102,9 @@ pub struct Peel {
     /// the mesh of the step, without a bound.
     #[serde(default)]
     pub step_ways: Vec<Vec<GripState>>,
+    /// Jumps on the way of the steps; what they released is on the mesh of the step, without a bound.
+    #[serde(default)]
+    pub step_jumps: Vec<StepJump>,
     /// Where the equilibrium next to the stress-free configuration is unstable: that the path starts in the stable one to which the beam has
     /// been relaxed from there.
     #[serde(default)]

@@ -57,6 +57,8 @@ const SOFT: &[&str] = &["--set", "strip.length=200 nm", "--set", "strip.bending_
 const CUT: &[&str] = &["--set", "bounds.displacement=0.1 nm"];
 /// Past the peak of the sideways pull, where its limit points are.
 const PAST_PEAK: &[&str] = &["--set", "bounds.displacement=12.775 nm"];
+/// A step that jumps.
+const JUMPING: &[&str] = &["--set", "drive.steps=[\"lift 50 nm\"]", "--set", "bounds.displacement=0.1 nm"];
 /// A short pull behind a step.
 const LIFTED: &[&str] = &["--set", "drive.steps=[\"lift 0.02 nm\"]", "--set", "bounds.displacement=0.1 nm"];
 /// Past a branch point of the symmetric path.
@@ -87,6 +89,7 @@ const RUNS: &[(&str, &[&[&str]])] = &[
     ("strip-sideways", &[UPWARD]),
     ("strip-rolled", &[CUT]),
     ("double-cantilever", &[CLOSED]),
+    ("strip-100nm", &[JUMPING]),
     ("tape", &[YIELDING]),
     ("strip-auto", &[]),
     ("strip-auto", &[&["--set", "terms=all"]]),

@@ -5,5 +5,6 @@ mod ground;
 mod pieces;
 mod pull;
 mod rough_spatula;
+mod step_jumps;
 mod steps;
 mod steps_in_space;

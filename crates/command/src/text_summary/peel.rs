@@ -4,8 +4,8 @@ use super::derived::derived;
 use super::found::{looked_for_text, value_text};
 use super::number::in_columns;
 use super::stability::{branch_point, out_of_plane};
-use super::units::Units;
-use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace};
+use super::units::{Units, fitting_text, moment_text};
+use peelkit::beam::{ForcesInSpace, GripForces, GripState, PlaceInSpace, StepJump};
 use peelkit::model::Step;
 use peelkit::solve::Pace;
 use peelkit::study::{
@@ -13,7 +13,7 @@ use peelkit::study::{
     NotOutOfPlane, OutOfPlane, OutOfPlaneBranch, PathEnd, Peak, Peel, Plateau, Sliding, Station, StationQuantity,
     Stations, TermDecisions, TermEffect, WarningKind, Yielded,
 };
-use peelkit::units::PreferredUnits;
+use peelkit::units::{PreferredUnits, WORKS};
 use peelkit_report::{end_reason, end_word, first_jump_word, ground_warning, left_out, why_kept};
 use peelkit_scene::Scene;
 
@@ -178,7 +178,14 @@ fn found_lines(
 fn sizes(peel: &Peel) -> [f64; 3] {
     let limit_points = peel.limit_points.iter().map(|at| [at.force, at.displacement, at.work]);
     let points = peel.points.iter().map(|at| [at.force, at.displacement, at.work]);
-    limit_points.chain(points).fold([0.0; 3], |sizes, at| std::array::from_fn(|k| sizes[k].max(at[k].abs())))
+    let steps = peel.steps.iter().map(|grip| {
+        let GripForces { horizontal, vertical, .. } = grip.forces;
+        [horizontal.abs().max(vertical.abs()), grip.x.unwrap_or_default().abs().max(grip.y.abs()), 0.0]
+    });
+    limit_points
+        .chain(points)
+        .chain(steps)
+        .fold([0.0; 3], |sizes, at| std::array::from_fn(|k| sizes[k].max(at[k].abs())))
 }
 
 /// A largest force that is no peak; no more digits than say where it is.
@@ -272,28 +279,39 @@ fn plane(scene: &Scene, looked_at: bool) -> Option<(&'static str, String)> {
     is_open.then(|| ("plane", text.to_owned()))
 }
 
-/// The grip after each step before the pull.
-fn steps(peel: &Peel, Units { force, length, .. }: &Units) -> Vec<(&'static str, String)> {
-    let line = |(index, (step, grip)): (usize, (&Step, &GripState))| {
-        let GripForces { horizontal, vertical, moment, in_space } = grip.forces;
+/// The grip after each step before the pull, and the jumps in it.
+fn steps(peel: &Peel, units: &Units) -> Vec<(&'static str, String)> {
+    let Units { force, length, .. } = units;
+    let place = |grip: &GripState| {
         let x = grip.x.map(|x| format!("x = {}, ", length.fixed(x, 4))).unwrap_or_default();
-        let place = format!("{x}y = {}, θ = {:.4} deg", length.fixed(grip.y, 4), grip.rotation.to_degrees());
+        format!("{x}y = {}, θ = {:.4} deg", length.fixed(grip.y, 4), grip.rotation.to_degrees())
+    };
+    let line = |step: &Step, grip: &GripState| {
+        let GripForces { horizontal, vertical, moment, in_space } = grip.forces;
         let (horizontal, vertical) = (force.fixed(horizontal, 6), force.fixed(vertical, 6));
         let beside = |(place, forces): (PlaceInSpace, ForcesInSpace)| {
             let (z, lateral) = (length.fixed(place.z, 4), force.fixed(forces.lateral, 6));
             let [roll, yaw] = [place.roll, place.yaw].map(f64::to_degrees);
-            let ForcesInSpace { torque, yaw_moment, .. } = forces;
+            let [torque, yaw_moment] = [forces.torque, forces.yaw_moment].map(moment_text);
             format!(
-                "; z = {z}, roll {roll:.4} deg, yaw {yaw:.4} deg; sideways {lateral}, on the roll {torque:.6} nN nm, on the yaw {yaw_moment:.6} nN nm"
+                "; z = {z}, roll {roll:.4} deg, yaw {yaw:.4} deg; sideways {lateral}, on the roll {torque}, on the yaw {yaw_moment}"
             )
         };
         let beside = grip.in_space.zip(in_space).map(beside).unwrap_or_default();
-        (
-            if index == 0 { "steps" } else { "" },
-            format!("{step}: {place}; H = {horizontal}, V = {vertical}, M = {moment:.6} nN nm{beside}"),
-        )
+        format!("{step}: {}; H = {horizontal}, V = {vertical}, M = {}{beside}", place(grip), moment_text(moment))
     };
-    peel.model.steps.iter().zip(&peel.steps).enumerate().map(line).collect()
+    let jump = |jump: &StepJump| {
+        let [before, after] = [jump.before, jump.after].map(|grip| force.fixed(grip.forces.vertical, 6));
+        let released = fitting_text(WORKS, jump.released);
+        format!("  it jumps at {}: V from {before} to {after}, {released} released", place(&jump.before))
+    };
+    let mut lines = Vec::new();
+    for ((number, step), grip) in (1..).zip(&peel.model.steps).zip(&peel.steps) {
+        lines.push(line(step, grip));
+        lines.extend(peel.step_jumps.iter().filter(|jump| jump.step == number).map(jump));
+    }
+    let heads = std::iter::once("steps").chain(std::iter::repeat(""));
+    heads.zip(lines).collect()
 }
 
 /// Where the model is not to be trusted; sharp ground is reported with the ground.

@@ -4,7 +4,7 @@
 use super::number::{short, with_error};
 use crate::terminal::stop::Stop;
 use clap::Args;
-use peelkit::units::{self, FORCES, LENGTHS, PreferredUnits, WORKS};
+use peelkit::units::{self, FORCES, LENGTHS, MOMENTS, PreferredUnits, WORKS};
 use peelkit_scene::Scene;
 
 /// A unit of a force, a length or a work, with which numbers are printed.
@@ -60,6 +60,11 @@ impl Units {
 /// A number of these units, such as those of lengths, in the one that fits it: "416.667 mN mm²".
 pub fn fitting_text(units: &[units::Unit], value: f64) -> String {
     Unit(units::Unit::fitting(units, value.abs())).short(value)
+}
+
+/// A moment in the unit that fits it, to six decimals of nN nm: "-710.353153 N mm".
+pub fn moment_text(value: f64) -> String {
+    Unit(units::Unit::fitting(MOMENTS, value.abs())).fixed(value, 6)
 }
 
 /// Most digits of a number without a bound.

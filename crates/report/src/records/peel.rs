@@ -126,7 +126,9 @@ impl Record for Sensitivity<'_> {
 impl<'a> PeelFound<'a> {
     /// The steps before the pull, as far as they were taken.
     fn steps(&self) -> Vec<StepEnd<'a>> {
-        self.peel.model.steps.iter().zip(&self.peel.steps).map(|(step, grip)| StepEnd(step, grip)).collect()
+        let jumps_of = |number: usize| self.peel.step_jumps.iter().filter(move |jump| jump.step == number).copied();
+        let end = |((number, step), grip)| StepEnd { step, grip, jumps: jumps_of(number).collect() };
+        (1..).zip(&self.peel.model.steps).zip(&self.peel.steps).map(end).collect()
     }
 }
 

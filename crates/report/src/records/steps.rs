@@ -3,21 +3,38 @@
 use crate::writing::error::ReportError;
 use crate::writing::record::{Cell, Fields, Record, columns_of, table, write_text};
 use crate::writing::reference::Output;
-use peelkit::beam::{ForcesInSpace, GripState, PlaceInSpace};
+use peelkit::beam::{ForcesInSpace, GripState, PlaceInSpace, StepJump};
 use peelkit::model::Step;
 use peelkit::study::Peel;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A step, and the grip after it.
-pub(super) struct StepEnd<'a>(pub &'a Step, pub &'a GripState);
+/// A step, the grip after it, and the jumps on its way.
+pub(super) struct StepEnd<'a> {
+    pub step: &'a Step,
+    pub grip: &'a GripState,
+    pub jumps: Vec<StepJump>,
+}
 
 impl Record for StepEnd<'_> {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("step", "the step as the scene has it", |end| end.0.to_string());
-        of.part(|end| InPlane(*end.1));
-        of.sometimes_part(|end| end.1.in_space.map(|_| InSpace(*end.1)));
+        of.field("step", "the step as the scene has it", |end| end.step.to_string());
+        of.part(|end| InPlane(*end.grip));
+        of.sometimes_part(|end| end.grip.in_space.map(|_| InSpace(*end.grip)));
+        of.sometimes("jumps", "where the beam has jumped on the way of the step, with the grip where it was; absent where it has not", |end| Some(end.jumps.clone()).filter(|jumps| !jumps.is_empty()));
+    }
+}
+
+impl Record for StepJump {
+    #[rustfmt::skip]
+    fn fields(of: &mut Fields<Self>) {
+        of.field("x_nm", "place of the grip, as of the step", |jump| jump.before.x);
+        of.field("y_nm", "likewise", |jump| jump.before.y);
+        of.field("end_rotation_rad", "likewise", |jump| jump.before.rotation);
+        of.field("vertical_force_before_nN", "its force upwards where stability is lost", |jump| jump.before.forces.vertical);
+        of.field("vertical_force_after_nN", "the same where the beam has come to rest", |jump| jump.after.forces.vertical);
+        of.field("released_aJ", "energy that the jump releases, on the mesh of the step, without a bound", |jump| jump.released);
     }
 }
 

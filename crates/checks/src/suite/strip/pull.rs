@@ -82,7 +82,7 @@ fn turned(row: &Row) -> Option<Check> {
     let how = Discretisation::moving(Form::TwoField, FOLLOWED_ORDER);
     let (steps, failure) = match prepared(&model, how, None) {
         Ok(Prepared { steps, .. }) => (steps, None),
-        Err(NotPrepared { why, steps }) => (steps, Some(why)),
+        Err(NotPrepared { why, steps }) => (*steps, Some(why)),
     };
     let direction = model.pull.direction();
     let force = steps.ends.first().map(|grip| direction.ahead(grip.forces.horizontal, grip.forces.vertical));
