@@ -8,18 +8,17 @@
 
 use super::error::{LoadingError, LoadingPhase, LoadingProgress, LoadingUnit, NoEquilibrium};
 use super::grip_control::{GripControl, LettingGo, NONE};
-use super::step_jump::{MOST_JUMPS, StabilityLoss, jumped};
+use super::step_jump::{MOST_JUMPS, StabilityLoss, jumped, with_x, without_x};
 use crate::beam::grip_state::{GripState, StepJump, StepsTaken};
 use crate::beam::planar::planar_beam::FRONT;
-use crate::model::peel::{Form, PeelModel};
+use crate::model::peel::PeelModel;
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::model::step::{Moved, Step};
-use crate::solve::error::SolveError;
 use crate::solve::frontal::nodes::BUNDLE;
 use crate::solve::newton::{NewtonOptions, Solution, settle, solve};
 use crate::solve::path::equilibrium_path::Path;
-use crate::solve::path::options::PathOptions;
+use crate::solve::path::options::{PathOptions, controlled};
 use crate::solve::path::predictor::MOST_POINTS;
 use crate::solve::path::segment::PathSegment;
 use crate::solve::points::locate::locate;
@@ -48,8 +47,6 @@ const FIRST: f64 = 0.02;
 const OF_WAY: f64 = 0.1;
 /// Most equilibria of a step.
 const MOST_EQUILIBRIA: usize = 500;
-/// Most solutions by which a goal is approached in shorter steps.
-const MOST_HALVED: usize = 40;
 /// Parts of a segment of the path in which its end is looked for.
 const PARTS: usize = 64;
 
@@ -65,15 +62,13 @@ pub(super) fn take(
     let from_rest = problem.start.known().is_none();
     let (steps, taken) = take_with(model, problem, should_stop.clone());
     let jumps = taken.as_ref().err().is_some_and(NoEquilibrium::is_loss_of_stability);
-    let Some(own) = problem.beam.planar().filter(|beam| jumps && from_rest && beam.chain.has_border()).cloned() else {
-        return (steps, taken);
-    };
-    let Ok(mut with_x) = model.discretised(Discretisation { form: Form::ThreeField, ..how }, |_| {}) else {
+    let Some(mut with_x) = (jumps && from_rest).then(|| with_x(model, how, problem)).flatten() else {
         return (steps, taken);
     };
     let (steps, taken) = take_with(model, &mut with_x, should_stop);
-    if let Some((at, beam)) = with_x.start.known().zip(with_x.beam.planar()).filter(|_| taken.is_ok()) {
-        problem.start_at(Arc::new(own.without_x(at, beam)));
+    if let Some(at) = with_x.start.known().filter(|_| taken.is_ok()) {
+        let at = without_x(problem, State::clone(at), &with_x);
+        problem.start_at(Arc::new(at));
         problem.settles();
     }
     (steps, taken)
@@ -204,8 +199,9 @@ impl LoadingSequence {
         let start =
             Path::new(problem, options).until(self.should_stop.clone()).advance().map_err(LoadingError::Start)?;
         let constraint = PathConstraint { weights: Observables::DISPLACEMENT, target: start.observables.displacement };
-        let here = Goal::moved(problem, Moved::Height, problem.grip.displacement_scale());
-        self.lead(problem, (&start, here), &constraint)?;
+        let forces = problem.beam.grip_forces(&start.at);
+        let at = LoadingUnit::Nanometre.reached(forces, start.observables.displacement);
+        self.lead(problem, (&start, at), &constraint)?;
         self.first = problem.start.known().cloned();
         Ok(())
     }
@@ -259,7 +255,7 @@ impl LoadingSequence {
             let loss = match self.path(problem, goal, way)? {
                 WayEnd::Goal(end) => {
                     let constraint = PathConstraint { weights: goal.weights(), target: goal.value };
-                    return self.lead(problem, (&end, goal), &constraint);
+                    return self.lead(problem, (&end, goal.reached(problem, &end)), &constraint);
                 }
                 WayEnd::Loss(loss) if jumps == MOST_JUMPS => return Err(LoadingError::Jumps { at: loss.at, jumps }),
                 WayEnd::Loss(loss) => loss,
@@ -317,19 +313,26 @@ impl LoadingSequence {
                 let label = |part: usize| segment.end() * part as f64 / PARTS as f64;
                 let at = |label: f64| segment.observable(value, 0.5 * segment.end()).at(label).0;
                 let part = (1..=PARTS).find(|&part| (at(label(part)) - goal.value) * onward >= 0.0);
-                let lost = || lost(problem, &segment, goal, [&before, &here], turned).map(WayEnd::Loss);
+                let lost = |unstable| lost(problem, &segment, goal, (&before, unstable), turned).map(WayEnd::Loss);
                 let Some(part) = part.or(is_there(&here.observables).then_some(PARTS)) else {
-                    return lost();
+                    return lost(here);
                 };
                 let constraint = PathConstraint { weights: goal.weights(), target: goal.value };
                 let guess = segment.start(problem, label(part) - 0.5 * label(1), 4);
                 let end = solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default());
+                // in shorter steps, on the way to a goal that is not behind a turn
+                let end = match end {
+                    Err(_) if !turned => {
+                        let found = controlled(problem, before.at.clone(), constraint.weights, &[goal.value], ROUGH);
+                        found.map(|mut found| found.remove(0))
+                    }
+                    end => end,
+                };
                 return match end {
-                    Ok(end) if is_lost(&end) && turned => lost(),
-                    Ok(end) if is_lost(&end) => Ok(WayEnd::Loss(branched(problem, goal, &before, Arc::new(end)))),
+                    Ok(end) if is_lost(&end) => lost(Arc::new(end)),
                     Ok(end) => Ok(WayEnd::Goal(Arc::new(end))),
-                    Err(_) if turned => lost(),
-                    Err(why) => by_shorter_steps(problem, goal, &before, why),
+                    Err(_) if turned => lost(here),
+                    Err(why) => Err(LoadingError::End { at: goal.reached(problem, &before), why }),
                 };
             }
             way.extend(self.grip_in(problem, &here.at));
@@ -338,19 +341,18 @@ impl LoadingSequence {
         Err(LoadingError::Long { at: goal.reached(problem, &before), points: MOST_EQUILIBRIA })
     }
 
-    /// Lets the problem begin in a solution, whose displacement is given in this unit, on twice as many elements and a mesh that is fine at
+    /// Lets the problem begin in a solution, and where it is, on twice as many elements and a mesh that is fine at
     /// its front.
     fn lead(
         &self,
         problem: &mut BeamProblem,
-        (end, goal): (&Solution, Goal),
+        (end, at): (&Solution, LoadingProgress),
         constraint: &PathConstraint,
     ) -> Result<(), LoadingError> {
         let beam = &problem.beam;
         let mesh = beam.mesh_at(end.observables.monitors[FRONT], &end.aligned(problem).mesh.follows, 2 * self.elements);
         let finer = beam.resampled(&end.at, mesh);
         let settled = settle(problem, finer, constraint, &newton(FINE), &mut Workspace::default());
-        let at = goal.reached(problem, end);
         problem.start_at(Arc::new(settled.map_err(|why| LoadingError::End { at, why })?.at));
         Ok(())
     }
@@ -393,55 +395,26 @@ impl Goal {
     }
 }
 
-/// Where a segment loses its stability: at a limit point of the displacement, or, where that does not turn, beyond a branch point.
+/// Where a segment loses its stability: at a limit point of the displacement, or, where that does not turn, between a solution and one that is
+/// unstable, where the path branches.
 fn lost(
     problem: &BeamProblem,
     segment: &PathSegment,
     goal: Goal,
-    [before, here]: [&Arc<Solution>; 2],
+    (before, unstable): (&Solution, Arc<Solution>),
     turned: bool,
 ) -> Result<StabilityLoss, LoadingError> {
+    let at = goal.reached(problem, before);
     if !turned {
-        return Ok(branched(problem, goal, before, here.clone()));
+        let displacement = unstable.observables.displacement;
+        return Ok(StabilityLoss { at, turns: false, displacement, solution: unstable });
     }
     let whole = (0.0, segment.end());
     let located = locate(problem, segment, LimitPointKind::Displacement, whole, None, &mut Workspace::default());
-    let limit = located.map_err(|_| LoadingError::Unstable { at: goal.reached(problem, before) })?;
+    let limit = located.map_err(|_| LoadingError::Unstable { at })?;
     let (forces, displacement) = (problem.beam.grip_forces(&limit.solution.at), limit.observables.displacement);
     let at = goal.unit.reached(forces, goal.done + displacement);
     Ok(StabilityLoss { at, turns: true, displacement, solution: limit.solution })
-}
-
-/// A loss of stability between two solutions, of which the second is unstable.
-fn branched(problem: &BeamProblem, goal: Goal, before: &Solution, unstable: Arc<Solution>) -> StabilityLoss {
-    let (at, displacement) = (goal.reached(problem, before), unstable.observables.displacement);
-    StabilityLoss { at, turns: false, displacement, solution: unstable }
-}
-
-/// The solution at the goal, from one before it by steps along the tangent, each half as long where it finds none.
-fn by_shorter_steps(
-    problem: &BeamProblem,
-    goal: Goal,
-    before: &Arc<Solution>,
-    why: SolveError,
-) -> Result<WayEnd, LoadingError> {
-    let (value, weights) = (goal.what.pick(), goal.weights());
-    let (mut here, mut part, mut why) = (before.clone(), 0.5, why);
-    for _ in 0..MOST_HALVED {
-        let (from, slope) = (value(&here.observables), value(&here.slope));
-        let ahead = part * (goal.value - from);
-        let constraint = PathConstraint { weights, target: if part < 1.0 { from + ahead } else { goal.value } };
-        let guess = here.moved(problem, ahead / slope);
-        match solve(problem, guess, &constraint, &newton(ROUGH), &mut Workspace::default()) {
-            Ok(next) if problem.system.is_conservative() && next.negative > here.negative => {
-                return Ok(WayEnd::Loss(branched(problem, goal, &here, Arc::new(next))));
-            }
-            Ok(next) if part == 1.0 => return Ok(WayEnd::Goal(Arc::new(next))),
-            Ok(next) => (here, part) = (Arc::new(next), (2.0 * part).min(1.0)),
-            Err(cause) => (why, part) = (cause, 0.5 * part),
-        }
-    }
-    Err(LoadingError::End { at: goal.reached(problem, &here), why })
 }
 
 fn newton(tolerance: f64) -> NewtonOptions {

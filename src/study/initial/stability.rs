@@ -3,9 +3,9 @@
 
 use super::error::UnstableRest;
 use super::loading_steps::elements;
-use super::step_jump::UPRIGHT;
+use super::step_jump::{FINER, UPRIGHT, with_x, without_x};
 use crate::beam::bonded_beam::{BondedBeam, BondedMode};
-use crate::model::peel::{Adhesion, Form, Hold, PeelModel};
+use crate::model::peel::{Adhesion, Hold, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
 use crate::model::problem::build::Discretisation;
 use crate::solve::newton::Solution;
@@ -38,8 +38,6 @@ const ROUGH: f64 = 1e-9;
 /// end turns up and comes to rest take some tens; those that have not by then tilt along all of their length, and have not in 1000.
 const RELAXING: f64 = 0.1;
 const MOST_STEPS: usize = 200;
-/// Elements on which it relaxes once more, over those before.
-const FINER: usize = 2;
 
 /// Refuses a model whose bonded sections tilt in bulk: where θ = cos(πS/2ℓ), with y = 0 and from a free end to where sections are held at
 /// S = ℓ, has a negative energy. Of a strip in a grip that is free to turn that is GA_s < m, of any length.
@@ -158,13 +156,7 @@ fn relaxed(
     first: &Solution,
     should_stop: &Option<ShouldStop>,
 ) -> Result<State, RelaxError> {
-    let three_field = Discretisation { form: Form::ThreeField, ..how };
-    let with_x = problem
-        .beam
-        .planar()
-        .is_some_and(|beam| beam.chain.has_border())
-        .then(|| model.discretised(three_field, |_| {}).ok())
-        .flatten();
+    let with_x = with_x(model, how, problem);
     let (falling, start) = match &with_x {
         None => (problem, first.at.clone()),
         Some(with_x) => (with_x, with_x.initial(first.at.mesh.elements())),
@@ -176,12 +168,11 @@ fn relaxed(
         relax(falling, from, Held::Displacement(displacement), &options, &mut ws).map(|relaxed| relaxed.solution.at)
     };
     let at = at_rest(disturbed_anyhow(falling, &start))?;
-    // on few elements an equilibrium may be one that is none on more
     let finer = falling.system.on_elements(&at, FINER * at.mesh.elements());
     let at = at_rest(finer)?;
-    Ok(match (&with_x, problem.beam.planar(), falling.beam.planar()) {
-        (Some(_), Some(beam), Some(falling)) => beam.without_x(&at, falling),
-        _ => at,
+    Ok(match &with_x {
+        Some(with_x) => without_x(problem, at, with_x),
+        None => at,
     })
 }
 

@@ -4,7 +4,9 @@
 //! a little beyond the loss, where the equilibrium that was left is none any more.
 
 use super::error::{LoadingError, LoadingProgress};
+use crate::model::peel::{Form, PeelModel};
 use crate::model::problem::beam_problem::BeamProblem;
+use crate::model::problem::build::Discretisation;
 use crate::solve::newton::Solution;
 use crate::solve::relax::{Held, RelaxError, RelaxOptions, Relaxation, disturbed, disturbed_anyhow, relax_until};
 use crate::solve::state::State;
@@ -17,8 +19,8 @@ pub(super) const MOST_JUMPS: usize = 20;
 const BEYOND: f64 = 1e-6;
 /// The accuracy to which a start, and what a jump leads through, must be free of upright sections.
 pub(super) const UPRIGHT: f64 = 1e-6;
-/// Elements on which the beam comes to rest once more, over those before: on few an equilibrium may be one that is none on more.
-const FINER: usize = 2;
+/// Elements on which a beam comes to rest once more, over those before: on few an equilibrium may be one that is none on more.
+pub(super) const FINER: usize = 2;
 
 /// Where the equilibria of a step lose their stability.
 pub(super) struct StabilityLoss {
@@ -100,4 +102,19 @@ fn model_end(problem: &BeamProblem, at: LoadingProgress, state: &State) -> Optio
     }
     let free_end = beam.nodes(&state.values).get(beam.rotation)?.cos();
     (free_end.abs() < UPRIGHT).then_some(LoadingError::OnEnd { at })
+}
+
+/// The problem with x at every node, where the horizontal force is a multiplier: that one's energy is no minimum, and does not fall.
+pub(super) fn with_x(model: &PeelModel, how: Discretisation, problem: &BeamProblem) -> Option<BeamProblem> {
+    let three_field = Discretisation { form: Form::ThreeField, ..how };
+    let has_multiplier = problem.beam.planar().is_some_and(|beam| beam.chain.has_border());
+    has_multiplier.then(|| model.discretised(three_field, |_| {}).ok()).flatten()
+}
+
+/// An equilibrium of the problem with x at every node, as one of the problem that it was made of.
+pub(super) fn without_x(problem: &BeamProblem, at: State, with_x: &BeamProblem) -> State {
+    match (problem.beam.planar(), with_x.beam.planar()) {
+        (Some(own), Some(with_x)) => own.without_x(&at, with_x),
+        _ => at,
+    }
 }

@@ -11,34 +11,17 @@
 //! Expected: places to 1e-6 nm beside the bounds of the test; forces, and what is released, to 1e-4, as the mesh of a step knows them. Why: a
 //! step that jumps takes another form where x is condensed, and counts its way from where it has come to rest.
 
-use crate::common::{paper_strip, with_grip};
+use super::steps::{BOUNDS, assert_near, failure, peeled, strip};
 use peelkit::beam::StepJump;
-use peelkit::model::{Grip, Hold, PeelModel, Step};
-use peelkit::study::{Accuracy, Jump, PathEnd, Peel, StopCriteria, observed, peel};
+use peelkit::model::{Hold, Step};
+use peelkit::study::{Accuracy, Jump, PathEnd, observed, peel};
 
-const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 const RELEASED: f64 = 1e-4;
-
-fn strip(hold: Hold, steps: &[Step]) -> PeelModel {
-    let model = with_grip(paper_strip(100.0, 1.0), hold, hold);
-    PeelModel { steps: steps.to_vec(), ..model.into() }
-}
-
-fn peeled(model: &PeelModel) -> Peel {
-    let peel = peel(model, &Accuracy::to(1e-6), &BOUNDS);
-    println!("{:?}: {} points, {} Newton iterations", model.steps, peel.points.len(), peel.effort.newton_iterations);
-    peel
-}
-
-#[track_caller]
-fn assert_near(what: &str, a: f64, b: f64, bound: f64) {
-    assert!((a - b).abs() <= bound, "{what}: {a} and {b}, apart by {:.1e}, bound {bound:.1e}", a - b);
-}
 
 /// The strip of this grip is lifted so far, nm, and pressed down again: it jumps where the machine's does, and its pull is that from rest.
 fn cycle(hold: Hold, lift: f64) -> (Vec<StepJump>, Vec<Jump>) {
-    let rest = strip(hold, &[]);
-    let cycled = peeled(&strip(hold, &[Step::Lift(lift), Step::Press(lift)]));
+    let rest = strip(hold, hold, &[]);
+    let cycled = peeled(&strip(hold, hold, &[Step::Lift(lift), Step::Press(lift)]));
     let (whole, test) = (peeled(&rest), observed(&rest, &Accuracy::to(1e-6), &BOUNDS).unwrap());
     let (a, b) = (whole.initiation_peak.unwrap(), cycled.initiation_peak.unwrap());
     assert_near("peak", a.force, b.force, a.force_error + b.force_error);
@@ -78,7 +61,7 @@ fn a_grip_that_is_held_along_the_ground_jumps_as_well() {
 
 #[test]
 fn a_beam_that_jumps_off_has_nothing_to_be_pulled_off() {
-    let off = peel(&strip(Hold::Fixed, &[Step::Lift(70.0)]), &Accuracy::to(1e-6), &BOUNDS);
+    let off = peel(&strip(Hold::Fixed, Hold::Fixed, &[Step::Lift(70.0)]), &Accuracy::to(1e-6), &BOUNDS);
     let PathEnd::Failed(why) = &off.end else { panic!("{:?}", off.end) };
     let why = why.to_string();
     assert!(why.contains("step 1 of drive.steps, \"lift 70 nm\", comes to a limit point at 21.8037"), "{why}");
@@ -89,9 +72,6 @@ fn a_beam_that_jumps_off_has_nothing_to_be_pulled_off() {
 /// Where a step has no end that is a beam's, it says so.
 #[test]
 fn a_jump_into_the_substrate_is_refused() {
-    let model =
-        PeelModel { grip: Grip { rotation: Hold::Free, ..Grip::FREE }, ..strip(Hold::Free, &[Step::Press(1.0)]) };
-    let PathEnd::Failed(why) = peel(&model, &Accuracy::to(1e-6), &BOUNDS).end else { panic!("it has no end") };
-    let why = why.to_string();
+    let why = failure(&strip(Hold::Free, Hold::Free, &[Step::Press(1.0)]));
     assert!(why.contains("comes to where the beam jumps, at -0.693177 nm") && why.contains("collapses"), "{why}");
 }

@@ -23,15 +23,15 @@ use peelkit::solve::{
 use peelkit::study::{Accuracy, Choice, Effort, PathEnd, Peel, StopCriteria, peel};
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_4};
 
-const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
+pub(super) const BOUNDS: StopCriteria = StopCriteria::after_points(5000);
 
 /// The strip in this grip, behind these steps.
-fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
+pub(super) fn strip(rotation: Hold, horizontal: Hold, steps: &[Step]) -> PeelModel {
     let model = with_grip(paper_strip(100.0, 1.0), rotation, horizontal);
     PeelModel { steps: steps.to_vec(), ..model.into() }
 }
 
-fn peeled(model: &PeelModel) -> Peel {
+pub(super) fn peeled(model: &PeelModel) -> Peel {
     let peel = peel(model, &Accuracy::to(1e-6), &BOUNDS);
     assert!(!matches!(peel.end, PathEnd::Failed(_)), "{:?}: {:?}", model.steps, peel.end);
     record(&format!("{:?}", model.steps), &peel.effort);
@@ -42,7 +42,7 @@ fn record(what: &str, effort: &Effort) {
     println!("{what}: {} points, {} Newton iterations", effort.points, effort.newton_iterations);
 }
 
-fn failure(model: &PeelModel) -> String {
+pub(super) fn failure(model: &PeelModel) -> String {
     match peel(model, &Accuracy::to(1e-6), &BOUNDS).end {
         PathEnd::Failed(why) => why.to_string(),
         end => panic!("{end:?}"),
@@ -50,7 +50,7 @@ fn failure(model: &PeelModel) -> String {
 }
 
 #[track_caller]
-fn assert_near(what: &str, a: f64, b: f64, bound: f64) {
+pub(super) fn assert_near(what: &str, a: f64, b: f64, bound: f64) {
     assert!((a - b).abs() <= bound, "{what}: {a} and {b}, apart by {:.1e}, bound {bound:.1e}", a - b);
 }
 
