@@ -1,7 +1,7 @@
 //! Stiffness of a beam section.
 
 use super::material::stretch_law::StretchLaw;
-use super::material::yielding::BendingLaw;
+use super::material::yielding::FilmLaw;
 use crate::number::Real;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -39,7 +39,7 @@ pub struct Material {
     /// How the force along the axis follows its stretch
     #[serde(default)]
     pub stretch: StretchLaw,
-    /// σ₀, GPa, of one that yields in bending
+    /// σ₀, GPa, of one that yields
     #[serde(default)]
     pub yield_strength: Option<f64>,
     /// Eₜ, GPa: dσ/dε beyond; zero where none is given
@@ -64,11 +64,12 @@ impl Material {
         }
     }
 
-    /// How a section of this height (nm) bends, of a material that yields.
-    pub(crate) fn bending_law(&self, height: f64) -> Option<BendingLaw> {
+    /// How a section with these stiffnesses yields: as a rectangle with h/2 = √(3 EI/EA).
+    pub(crate) fn film_law(&self, section: &Section) -> Option<FilmLaw> {
         let (modulus, hardened) = (self.youngs_modulus, self.tangent_modulus.unwrap_or(0.0));
-        self.yield_strength
-            .map(|strength| BendingLaw { elastic: 2.0 * strength / (modulus * height), hardening: hardened / modulus })
+        let half_height = (3.0 * section.bending / section.axial).sqrt();
+        let law = |strength| FilmLaw { yield_strain: strength / modulus, hardening: hardened / modulus, half_height };
+        self.yield_strength.map(law)
     }
 
     /// Stiffness of a section between a rectangle (`roundness` 0) and an ellipse (1) of this width and height, nm:

@@ -13,7 +13,7 @@ use crate::adhesion::section::sheared::ShearedLaw;
 use crate::adhesion::spatial_section::section::SectionShape;
 use crate::beam::bonded_beam::BondedBeam;
 use crate::beam::grip_state::GripState;
-use crate::beam::material::yielding::BendingLaw;
+use crate::beam::material::yielding::FilmLaw;
 use crate::beam::section::{Material, Section};
 use crate::beam::varying::BeamGeometry;
 use crate::solve::problem::Direction;
@@ -287,14 +287,14 @@ impl PeelModel {
         if reducible { asked } else { Form::ThreeField }
     }
 
-    /// Whether its film yields in bending.
+    /// Whether its film yields.
     pub fn yields(&self) -> bool {
         self.material().yield_strength.is_some()
     }
 
-    /// How its sections bend, of a strip that yields.
-    pub(crate) fn bending_law(&self) -> Option<BendingLaw> {
-        self.strip().and_then(|strip| strip.material.bending_law(strip.height))
+    /// How its sections yield, of a strip that does.
+    pub(crate) fn film_law(&self) -> Option<FilmLaw> {
+        self.material().film_law(&self.section())
     }
 
     /// The law of a face that is held along the ground, does not heal, or is that of a film that yields, if it is cohesive.

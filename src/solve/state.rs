@@ -79,10 +79,23 @@ impl History {
         Self { places: Places::Gauss(Arc::new(points)), width, numbers, dissipated: 0.0, ends: [0.0; 2] }
     }
 
-    /// The same at the Gauss points of another mesh.
-    pub fn on_gauss_points(&self, points: Vec<[f64; 2]>) -> Self {
-        let numbers = points.iter().flat_map(|[s, _]| self.interpolated(*s, self.width)).collect();
+    /// The same at the Gauss points of another mesh. `mend` is given S and what the numbers there are by interpolation.
+    pub fn on_gauss_points(&self, points: Vec<[f64; 2]>, mend: impl Fn(f64, &mut [f64])) -> Self {
+        let mut numbers: Vec<f64> = points.iter().flat_map(|[s, _]| self.interpolated(*s, self.width)).collect();
+        points.iter().zip(numbers.chunks_exact_mut(self.width)).for_each(|([s, _], row)| mend(*s, row));
         Self { places: Places::Gauss(Arc::new(points)), numbers, ..*self }
+    }
+
+    /// Of the points next to S the numbers, and how far S is from the first to the second.
+    pub(crate) fn around(&self, s: f64) -> ([&[f64]; 2], f64) {
+        let second = match &self.places {
+            Places::Even(spacing) => (s / spacing).ceil().max(0.0) as usize,
+            Places::Gauss(points) => points.partition_point(|point| point[0] < s),
+        };
+        let second = second.clamp(1, self.count() - 1);
+        let [one, two] = [second - 1, second].map(|point| self.place(point));
+        let row = |point: usize| &self.numbers[point * self.width..][..self.width];
+        ([row(second - 1), row(second)], ((s - one) / (two - one)).clamp(0.0, 1.0))
     }
 
     /// How many points there are.

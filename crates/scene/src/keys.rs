@@ -147,7 +147,7 @@ pub static KEYS: &[Key] = &[
     number(&STRIP, "shear_correction", Optional, |s| &mut strip(s).material.shear_correction, "shear correction factor of the section").titled("shear correction factor", "k"),
     number(&STRIP, "bending_stiffness_factor", Optional, |s| &mut strip(s).material.bending_stiffness_factor, "multiplies the bending stiffness EI alone").titled("bending stiffness over that of the section", "EI/EI₀"),
     key(&STRIP, "stretch", Optional, choice!(STRETCHES, "\"neo-hookean\"", |s| &mut strip(s).material.stretch), "force along the strip over its stretch"),
-    key(&STRIP, "yield_strength", Optional, Kind::Bound(Pressure, |s| &mut strip(s).material.yield_strength), "stress at which the strip yields in bending").titled("yield strength of the strip", "σ₀"),
+    key(&STRIP, "yield_strength", Optional, Kind::Bound(Pressure, |s| &mut strip(s).material.yield_strength), "stress at which the strip yields").titled("yield strength of the strip", "σ₀"),
     key(&STRIP, "tangent_modulus", Optional, Kind::Bound(Pressure, |s| &mut strip(s).material.tangent_modulus), "slope of stress over strain where it yields").titled("tangent modulus of the strip", "Eₜ"),
     key(&STRIP, "crack", Optional, Kind::Bound(Length, |s| &mut strip(s).crack), "length of an initial crack at the grip").titled("length of the initial crack", "a₀"),
     key(&STRIP, "layers", Optional, Kind::Setting(&layers::LAYERS), "layers from the adhering face up"),

@@ -1,11 +1,12 @@
 //! What an element integrates: an energy density along the axis and its first and second derivatives.
 
 use crate::adhesion::section::response::LineResponse;
+use crate::beam::material::yielding::PROFILE;
 use crate::number::Real;
 
 /// Numbers that a density may remember at a point.
-pub(crate) const MEMORY: usize = 7;
-/// How many of those from step to step are of the face; behind them are the turns of the film.
+pub(crate) const MEMORY: usize = FACE + PROFILE;
+/// How many of those from step to step are of the face; behind them is the plastic strain of the film.
 pub(crate) const FACE: usize = 4;
 
 /// What a step came to at a material point.
@@ -32,7 +33,7 @@ pub struct Point<T, const F: usize> {
     pub slope: [T; F],
     /// Of a density that remembers. With friction: where the face was (nm) and what share of its limit it carried at the end of the last
     /// step. Of a face that does not heal: how far away it has been and how far it has slipped at most, nm. Of a film that yields: behind four
-    /// numbers of its face, the turns of its curvature, 1/nm. Of a viscous material: the strains from
+    /// numbers of its face, its plastic strain over the height. Of a viscous material: the strains from
     /// which the step strains, three in the plane and six in space, and the factor of its stiffness; in the plane also the distance from which the
     /// face opens, nm, and c of the step, 1/time.
     pub memory: [T; MEMORY],

@@ -38,6 +38,8 @@ pub trait Integrand<const F: usize>: Send + Sync {
     fn has_border(&self) -> bool;
     /// [`EnergyDensity::is_symmetric`]
     fn is_symmetric(&self) -> bool;
+    /// [`EnergyDensity::HAS_HISTORY`]; without, what points remember is not asked
+    fn remembers(&self) -> bool;
     /// The responses at some points, with what remembers; as many of them as there are points.
     fn respond(&self, points: &[Point<F64x4, F>], axial_multiplier: f64, responses: &mut [PointResponse<F64x4, F>]);
     /// The energies alone, at one point.
@@ -77,8 +79,6 @@ pub trait Integrand<const F: usize>: Send + Sync {
 
 /// An [`EnergyDensity`] of a planar beam without its type: every one is one.
 pub(crate) trait PlanarIntegrand<const F: usize>: Integrand<F> {
-    /// [`EnergyDensity::HAS_HISTORY`]
-    fn remembers(&self) -> bool;
     /// Adhesion energy per length, nN, with these fields and what is remembered
     fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64;
     /// [`EnergyDensity::remember`]
@@ -110,6 +110,10 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
 
     fn is_symmetric(&self) -> bool {
         EnergyDensity::is_symmetric(self)
+    }
+
+    fn remembers(&self) -> bool {
+        D::HAS_HISTORY
     }
 
     fn respond(&self, points: &[Point<F64x4, F>], axial_multiplier: f64, responses: &mut [PointResponse<F64x4, F>]) {
@@ -154,10 +158,6 @@ impl<D: EnergyDensity<F>, const F: usize> Integrand<F> for D {
 }
 
 impl<D: EnergyDensity<F>, const F: usize> PlanarIntegrand<F> for D {
-    fn remembers(&self) -> bool {
-        D::HAS_HISTORY
-    }
-
     fn adhesion_at(&self, place: f64, value: [f64; F], memory: [f64; MEMORY], axial_multiplier: f64) -> f64 {
         response(self, &Point { place, value, slope: [0.0; F], memory }, axial_multiplier).adhesion
     }

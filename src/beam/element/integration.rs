@@ -1,8 +1,9 @@
 //! The element: integrates a density into its front, the matrix that elimination works on.
 
 use super::basis::{Basis, PerNode};
-use super::energy_density::{Coupling, MEMORY, Point, PointResponse};
+use super::energy_density::{Coupling, FACE, MEMORY, Point, PointResponse};
 use super::integrand::Integrand;
+use crate::beam::material::yielding::{PROFILE, between, plastic_strain};
 use crate::number::{F64x4, Real};
 use crate::solve::frontal::frontal_matrix::FrontalMatrix;
 use crate::solve::frontal::nodes::{MOST_NODES, Nodes};
@@ -60,7 +61,20 @@ impl<N: Nodes, const F: usize> Integration<'_, N, F> {
 
 /// [`Point::memory`] at S of what is remembered from step to step.
 pub(in crate::beam) fn memory_of(history: Option<&History>, place: f64) -> [f64; MEMORY] {
-    history.map_or([0.0; MEMORY], |known| known.at(place))
+    let Some(known) = history else { return [0.0; MEMORY] };
+    let mut memory = known.at(place);
+    mend(known, place, &mut memory);
+    memory
+}
+
+/// Puts the plastic strain at S, which numbers that are interpolated one by one are not, in its place behind those of the face.
+pub(in crate::beam) fn mend(known: &History, place: f64, numbers: &mut [f64]) {
+    if let ([one, other], share) = known.around(place)
+        && one.len() > FACE
+    {
+        let plastic = [one, other].map(|row| plastic_strain(&row[FACE..]));
+        numbers[FACE..FACE + PROFILE].copy_from_slice(&between([&plastic[0], &plastic[1]], share));
+    }
 }
 
 impl<T: Real, const F: usize> Element<T, F> {
@@ -74,12 +88,20 @@ impl<T: Real, const F: usize> Element<T, F> {
     /// What its density is asked at Gauss point `q`.
     #[inline(always)]
     pub fn point(&self, nodes: impl Nodes, basis: &Basis, q: usize) -> Point<T, F> {
+        let mut point = Point::zero();
+        self.ask(nodes, basis, q, true, &mut point);
+        point
+    }
+
+    /// Puts that into a point, with what is remembered where its density `remembers`.
+    #[inline(always)]
+    fn ask(&self, nodes: impl Nodes, basis: &Basis, q: usize, remembers: bool, point: &mut Point<T, F>) {
         let stretch = self.stretch();
-        Point {
-            place: self.from + self.length * (0.5 * (1.0 + basis.points[q])),
-            value: at_point(nodes, &self.values, &basis.value[q]),
-            slope: at_point(nodes, &self.values, &basis.slope[q]).map(|s| s * stretch),
-            memory: self.memories[q],
+        point.place = self.from + self.length * (0.5 * (1.0 + basis.points[q]));
+        point.value = at_point(nodes, &self.values, &basis.value[q]);
+        point.slope = at_point(nodes, &self.values, &basis.slope[q]).map(|s| s * stretch);
+        if remembers {
+            point.memory = self.memories[q];
         }
     }
 
@@ -158,8 +180,9 @@ impl<const F: usize> Element<F64x4, F> {
         let stretch = self.stretch();
         let (mut energy, mut coverage) = (zero, zero);
         let Responses { points, responses, .. } = room;
+        let remembers = density.remembers();
         for q in 0..nodes.count() - 1 {
-            points[q] = self.point(nodes, basis, q);
+            self.ask(nodes, basis, q, remembers, &mut points[q]);
         }
         density.respond(&points[..nodes.count() - 1], self.axial_multiplier, responses);
         front.clear_gradient::<BORDER>(nodes);
@@ -227,10 +250,10 @@ impl<const F: usize> Element<F64x4, F> {
     #[inline(always)]
     pub fn energy(&self, by: &Integration<impl Nodes, F>, direction: &[[F64x4; F]; MOST_NODES]) -> [F64x4; 3] {
         let &Integration { nodes, basis, density, .. } = by;
-        let mut sums = [F64x4::splat(0.0); 3];
+        let (mut sums, mut point, remembers) = ([F64x4::splat(0.0); 3], Point::zero(), density.remembers());
         for q in 0..nodes.count() - 1 {
-            let (r, weight) =
-                (density.energy_at(&self.point(nodes, basis, q), self.axial_multiplier), self.weight(basis, q));
+            self.ask(nodes, basis, q, remembers, &mut point);
+            let (r, weight) = (density.energy_at(&point, self.axial_multiplier), self.weight(basis, q));
             let change = at_point(nodes, direction, &basis.value[q]);
             sums[0] = sums[0] + r.energy * weight;
             sums[1] = sums[1] + r.coverage * weight;

@@ -7,8 +7,9 @@ use crate::adhesion::section::barrier::Barrier;
 use crate::adhesion::substrate::Substrate;
 use crate::beam::element::energy_density::{FACE, SectionState};
 use crate::beam::element::integration::ElementEnergy;
+use crate::beam::element::integration::mend;
 use crate::beam::grip_state::{GripForces, GripState};
-use crate::beam::material::yielding::BENDING;
+use crate::beam::material::yielding::FILM;
 use crate::beam::mesh::{MeshKind, MeshPolicy, nodal_lengths};
 use crate::beam::reference_configuration::ReferenceConfiguration;
 use crate::beam::viscosity::Viscosity;
@@ -367,7 +368,10 @@ impl PlanarBeam {
         values.extend_from_slice(&at.values[self.nodes(&at.values).len()..]);
         let history = at.history.clone().map(|known| match known.places {
             Places::Even(_) => known,
-            Places::Gauss(_) => Arc::new(known.on_gauss_points(self.chain.gauss_points(&mesh.boundaries))),
+            Places::Gauss(_) => {
+                let points = self.chain.gauss_points(&mesh.boundaries);
+                Arc::new(known.on_gauss_points(points, |place, numbers| mend(&known, place, numbers)))
+            }
         });
         State { mesh, values, force: at.force, history }
     }
@@ -466,8 +470,8 @@ pub enum BeamMemory {
     /// How far it has been open and has slipped at most, where it does not heal: these up to where it began to close, by which the law goes, and up
     /// to now.
     Opening(Arc<History>),
-    /// The same of a face under a film that yields, at the Gauss points of its mesh, which stays: the turns of its curvature stand behind it, and the
-    /// work that it has taken by yielding over EI, 1/nm.
+    /// The same of a face under a film that yields, at the Gauss points of its mesh, which stays: behind it stands what its
+    /// sections have been through.
     Film {
         /// Whether its face is as new where it comes back
         heals: bool,
@@ -494,7 +498,7 @@ impl PlanarBeam {
             BeamMemory::Nothing => None,
             BeamMemory::Slip(history) | BeamMemory::Opening(history) => Some(history.clone()),
             BeamMemory::Film { .. } => {
-                Some(Arc::new(History::at_gauss_points(self.chain.gauss_points(ends), FACE + BENDING)))
+                Some(Arc::new(History::at_gauss_points(self.chain.gauss_points(ends), FACE + FILM)))
             }
         }
     }

@@ -261,6 +261,7 @@ fn strip_that_yields(strip: &Strip, model: &PeelModel) -> Result<(), ModelError>
         (!model.adhesion.attraction.is_cohesive(), "a law of adhesion that is not cohesive"),
         (model.space.is_some(), "a scene in space"),
         (strip.layers.is_some(), "layers"),
+        (!strip.material.stretch.is_linear(), "a stretch that is not linear"),
         (!model.steps.is_empty(), "a step before the pull"),
     ];
     none_beside(key, with, &beside)?;

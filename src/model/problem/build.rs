@@ -16,6 +16,7 @@ use crate::beam::planar::density::on_ground::BeamOnGround;
 use crate::beam::planar::density::reduced::ReducedBeam;
 use crate::beam::planar::density::reissner::ReissnerBeam;
 use crate::beam::planar::density::sheared::ShearedBeam;
+use crate::beam::planar::density::yielding_film::YieldingFilm;
 use crate::beam::planar::model_limits::{ModelLimits, UprightCorner, UprightPole};
 use crate::beam::planar::planar_beam::{BeamMemory, PlanarBeam};
 use crate::beam::planar::uniform_chain::elements::UniformChain;
@@ -152,13 +153,18 @@ impl PeelModel {
                     // what is held along the ground holds the free end
                     let end = if sheared.is_sliding() { Some(0.0) } else { None };
                     let pinned_left = [end, None, None];
-                    let (heals, yielding) = (self.adhesion.healing, self.bending_law());
-                    if heals && yielding.is_none() {
-                        let beam = ShearedBeam::<false> { profile, law, sheared, heals, yielding };
-                        three_field(beam, how.order, pinned_left)
-                    } else {
-                        let beam = ShearedBeam::<true> { profile, law, sheared, heals, yielding };
-                        three_field(beam, how.order, pinned_left)
+                    let heals = self.adhesion.healing;
+                    match self.film_law() {
+                        Some(yielding) => {
+                            let elastic = ShearedBeam { profile, law, sheared, heals };
+                            three_field(YieldingFilm { elastic, law: yielding }, how.order, pinned_left)
+                        }
+                        None if heals => {
+                            three_field(ShearedBeam::<false> { profile, law, sheared, heals }, how.order, pinned_left)
+                        }
+                        None => {
+                            three_field(ShearedBeam::<true> { profile, law, sheared, heals }, how.order, pinned_left)
+                        }
                     }
                 }
                 None => chain(profile, (law, TiltCount::Coarse), (&substrate, friction), form, along, how.order),

@@ -31,6 +31,8 @@ pub enum WarningKind {
     /// Largest strain on the path: of the faces, |Γ1| + |κ - κ0| h/2, without Γ1 where its law is one of large strains, or of shear, |Γ2|. In space of the corners, |Γ1| + |κ2| h/2 + |κ3| b/2,
     /// or of shear with that of torsion.
     LargeStrain,
+    /// Largest axial force of a film that yields and does not harden, over that at which it yields all through.
+    FlowingFilm,
     /// Height of the ground, from crest to valley, over r0.
     HighGround,
     /// Smallest radius of curvature of the ground where the beam adheres, nm.
@@ -48,6 +50,7 @@ impl WarningKind {
             Self::FoldedSideways => "folded-sideways",
             Self::ShortBeam => "short-beam",
             Self::LargeStrain => "large-strain",
+            Self::FlowingFilm => "flowing-film",
             Self::HighGround => "high-ground",
             Self::SharpGround => "sharp-ground",
             Self::RelaxedStart => "relaxed-start",
@@ -90,6 +93,11 @@ impl fmt::Display for Warning {
                 f,
                 "strains come to {value:.3} on the path, more than {limit}: the material is taken to be linear"
             ),
+            WarningKind::FlowingFilm => write!(
+                f,
+                "the axial force comes to {value:.3} of that at which the film yields all through, more than {limit}: it does not harden, and \
+                 stretches without end before it peels"
+            ),
             WarningKind::HighGround => write!(
                 f,
                 "the ground is {value:.3} r0 from crest to valley, more than {limit}: a section is attracted by the nearest point alone, and where \
@@ -109,12 +117,13 @@ impl fmt::Display for Warning {
     }
 }
 
-/// Least process zone over height, least length over height, most curvature times half the height, largest strain, largest height of the ground
-/// over r0.
+/// Least process zone over height, least length over height, most curvature times half the height, largest strain, largest axial force over that at
+/// which a film flows, largest height of the ground over r0.
 const ZONE: f64 = 1.0;
 const SLENDER: f64 = 5.0;
 const FOLDED: f64 = 1.0;
 const STRAINED: f64 = 0.1;
+const FLOWING: f64 = 0.95;
 const HIGH: f64 = 1.0;
 
 impl Peel {
@@ -126,6 +135,8 @@ impl Peel {
         let below = |kind, value: f64, limit: f64| (value < limit).then_some(Warning { kind, value, limit });
         let above = |kind, value: f64, limit: f64| (value > limit).then_some(Warning { kind, value, limit });
         let Largest { folded, folded_sideways, strained } = self.largest_bend_and_strain();
+        let hardens = model.material().tangent_modulus.is_some();
+        let flowing = self.yielded().filter(|_| !hardens).map_or(0.0, |yielded| yielded.axial_share);
         let ground = model.ground.substrate.peak_to_valley() / model.line_law().gap_scale();
         let radius = self.contact(0).and_then(|contact| contact.sharp());
         let start = self.relaxed_start.map_or(0.0, |start| start.negative as f64);
@@ -135,6 +146,7 @@ impl Peel {
             above(WarningKind::FoldedSideways, folded_sideways, FOLDED),
             below(WarningKind::ShortBeam, model.length() / height, SLENDER),
             above(WarningKind::LargeStrain, strained, STRAINED),
+            above(WarningKind::FlowingFilm, flowing, FLOWING),
             above(WarningKind::HighGround, if ground.is_finite() { ground } else { 0.0 }, HIGH),
             radius.and_then(|radius| below(WarningKind::SharpGround, radius, SMALLEST_RADIUS)),
             above(WarningKind::RelaxedStart, start, 0.0),
@@ -171,16 +183,17 @@ impl Peel {
     }
 
     fn of_node(&self, beam: &PlanarBeam, node: &NodeState) -> Largest {
-        let (Section { axial, shear, bending }, _, height) = self.model.section_at(node.position);
+        let (Section { shear, bending, .. }, _, height) = self.model.section_at(node.position);
         let (sin, cos) = node.values[beam.rotation].sin_cos();
         let [horizontal, vertical] = [node.section.horizontal_force, node.section.vertical_force];
-        let normal = horizontal * cos + vertical * sin;
+        let stretch = node.section.horizontal_slope * cos + node.section.vertical_slope * sin - 1.0;
         // a law of large strains holds for them
-        let stretch = if self.model.material().stretch.is_linear() { (normal / axial).abs() } else { 0.0 };
+        let stretch = if self.model.material().stretch.is_linear() { stretch.abs() } else { 0.0 };
         let slide = ((vertical * cos - horizontal * sin) / shear).abs();
         // of layers the upper face is not as far from the axis as the lower one
         let farther = (self.model.thickness_over_height() - 0.5).max(0.5);
-        let bent = (node.section.moment / bending).abs() * farther * height;
+        let turned = if self.model.yields() { node.section.curvature } else { node.section.moment / bending };
+        let bent = turned.abs() * farther * height;
         let folded = node.section.curvature.abs() * 0.5 * height;
         Largest { folded, folded_sideways: 0.0, strained: slide.max(stretch + bent) }
     }

@@ -44,7 +44,8 @@ fn the_tangent_is_the_derivative() {
     };
     let respond = |value: [f64; 3], slip: [f64; 2]| {
         let mut response = PointResponse::<f64, 3>::zero();
-        let point = Point { place: 40.0, value, memory: [slip[0], slip[1], 0.0, 0.0, 0.0, 0.0, 0.0], ..Point::zero() };
+        let mut point = Point { place: 40.0, value, ..Point::zero() };
+        point.memory[..2].copy_from_slice(&slip[..2]);
         beam.add_remembered(&point, &mut response);
         response
     };

@@ -116,7 +116,7 @@ pub fn peel(
     lines.extend(terms(peel));
     lines.extend(peel.considered.iter().flat_map(considered));
     lines.extend(peel.sliding_at_peak().iter().map(|sliding| ("friction", slid(sliding))));
-    lines.extend(peel.yielded().iter().map(|yielded| ("yielding", bent(yielded))));
+    lines.extend(peel.yielded().iter().map(|yielded| ("yielding", yielding(yielded))));
     lines.extend((!scene.model.adhesion.healing).then(|| ("healing", closing(peel, &units))));
     lines.extend(peel.contact(0).iter().flat_map(|contact| on_ground(peel, contact)));
     lines.extend(warnings(peel));
@@ -358,16 +358,16 @@ fn slid(sliding: &Sliding) -> String {
 }
 
 /// How a film has yielded.
-fn bent(yielded: &Yielded) -> String {
-    let Yielded { work_per_area, largest_curvature, axial_share, .. } = *yielded;
-    if largest_curvature <= 1.0 {
+fn yielding(yielded: &Yielded) -> String {
+    let Yielded { work_per_area, length, largest_curvature, permanent_stretch, .. } = *yielded;
+    if length == 0.0 {
         return format!("none: at most {largest_curvature:.2} times the curvature at which it begins");
     }
-    let left = work_per_area.map(|work| format!("bending leaves {work:.4} J/m² in the film; "));
+    let left = work_per_area.map(|work| format!("{work:.4} J/m² stay in the film; "));
     format!(
-        "{}it is bent to {largest_curvature:.3} times the curvature at which it yields; left out: its axial force, which takes {:.1e} of the yield moment",
+        "{}it is bent to {largest_curvature:.3} times the curvature at which it yields, and stays stretched by at most {:.2} %",
         left.unwrap_or_default(),
-        axial_share * axial_share
+        100.0 * permanent_stretch
     )
 }
 

@@ -136,11 +136,12 @@ pub fn ground_warning(contact: &Contact) -> Option<String> {
 impl Record for Yielded {
     #[rustfmt::skip]
     fn fields(of: &mut Fields<Self>) {
-        of.field("plastic_work_aJ", "work that bending has left in the film since rest", |yielded| yielded.work);
+        of.field("plastic_work_aJ", "work that yielding has left in the film since rest", |yielded| yielded.work);
         of.sometimes("plastic_work_J_per_m2", "the same of a unit of area that peels, over the process zone before", |yielded| yielded.work_per_area);
         of.field("yielded_length_nm", "length that has yielded", |yielded| yielded.length);
         of.field("largest_curvature_over_elastic", "largest curvature that a section has had, over that at which its surfaces yield", |yielded| yielded.largest_curvature);
-        of.field("axial_force_over_yield", "largest axial force over that at which the whole section yields; its square is the share of the yield moment that is left out", |yielded| yielded.axial_share);
+        of.field("axial_force_over_yield", "largest axial force over that at which the whole section yields", |yielded| yielded.axial_share);
+        of.field("permanent_stretch", "largest stretch that stays in the film when it is unloaded, as a strain", |yielded| yielded.permanent_stretch);
     }
 }
 

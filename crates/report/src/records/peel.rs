@@ -69,7 +69,7 @@ impl Record for PeelFound<'_> {
         of.group("timing", "time", |of| of.field("solve_s", "time of path, limit points and error bounds, without pictures", |found| found.solve_s));
         of.sometimes("steps", "with `drive.steps`: the grip after each step before the pull, relative to where it took hold", |found| Some(found.steps()).filter(|steps| !steps.is_empty()));
         of.sometimes("ground", "on ground that is not flat: how the beam lies where the path begins", |found| Some(Ground { contact: found.peel.contact(0)?, largest_force: found.peel.largest_force() }));
-        of.sometimes("yielding", "of a film that yields: how it has been bent where its force is steady, or else where the path ends", |found| found.peel.yielded());
+        of.sometimes("yielding", "of a film that yields: how far it has yielded where its force is steady, or else where the path ends", |found| found.peel.yielded());
         of.sometimes("sliding", "with friction: how far the beam has slid at the initiation peak", |found| found.peel.sliding_at_peak());
         of.sometimes("closing_nm", "with `adhesion.healing = false`: displacement from which what has opened or slipped comes back; 0 where it did so before the pull, absent where nothing does", |found| found.peel.closing());
         of.sometimes("stations", "with `output.stations` or `--at`: the equilibria at the values that were asked for, a value each", |found| Some(found.stations).filter(|stations| !stations.is_empty()));

@@ -4,3 +4,4 @@ pub(crate) mod reduced;
 pub(crate) mod reissner;
 pub(crate) mod sheared;
 pub(crate) mod viscous;
+pub(crate) mod yielding_film;

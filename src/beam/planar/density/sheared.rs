@@ -1,4 +1,4 @@
-//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, off which it does not heal, or whose film yields.
+//! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, or off which it does not heal.
 
 use super::reissner::{ReissnerBeam, stored};
 use crate::adhesion::section::calibrated::Cohesive;
@@ -7,13 +7,12 @@ use crate::adhesion::section::sheared::{Farthest, ShearedLaw, ShearedResponse};
 use crate::beam::element::energy_density::{
     Coupling, EnergyDensity, FACE, MEMORY, Point, PointResponse, SectionState, StepEnd,
 };
-use crate::beam::material::yielding::{BendingLaw, BendingMemory};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
 /// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
 /// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
-/// [`Point::memory`] has how far a face has been that does not heal, and the turns of a film that yields.
+/// [`Point::memory`] has how far its face has been.
 #[derive(Clone, Debug)]
 pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
     /// The beam from place to place
@@ -24,8 +23,6 @@ pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
     pub sheared: ShearedLaw,
     /// Whether the face is as new where it comes back
     pub heals: bool,
-    /// Of a film that yields
-    pub yielding: Option<BendingLaw>,
 }
 
 impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
@@ -93,36 +90,18 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     #[inline(always)]
     fn add_remembered<T: Real>(
         &self,
-        &Point { place, value, slope: [_, _, turn], memory }: &Point<T, 3>,
+        &Point { place, value, memory, .. }: &Point<T, 3>,
         response: &mut PointResponse<T, 3>,
     ) {
         let station = self.profile.at(place);
         let [distance, slip, ..] = memory;
         add(response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
-        if let Some(law) = &self.yielding {
-            // in place of a section that is elastic
-            let [.., outer, back, inner] = memory;
-            let (curvature, bending) = (turn - station.curvature, station.section.bending);
-            let [energy, moment, stiffness] =
-                T::each_of([outer, back, inner, curvature], |[outer, back, inner, at]| {
-                    let bent = law.at([outer, back, inner], at);
-                    [bent.energy - 0.5 * at * at, bent.moment - at, bent.stiffness - 1.0]
-                });
-            response.energy = response.energy + energy * bending;
-            response.by_slope[2] = response.by_slope[2] + moment * bending;
-            response.slope_slope[2][2] = response.slope_slope[2][2] + stiffness * bending;
-        }
     }
 
     /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
-    /// it goes wins as if the face had healed since. Behind it: [`BendingMemory`].
-    fn remember(&self, &StepEnd { place, value, slope, before }: &StepEnd<3>, known: &mut [f64]) -> f64 {
-        let Some((face, bending)) = known.split_first_chunk_mut::<FACE>() else { return 0.0 };
-        if let Some(law) = &self.yielding {
-            let mut known = BendingMemory::read(bending);
-            law.advance(&mut known, slope[2] - self.profile.at(place).curvature, before);
-            known.write(bending);
-        }
+    /// it goes wins as if the face had healed since.
+    fn remember(&self, &StepEnd { place, value, .. }: &StepEnd<3>, known: &mut [f64]) -> f64 {
+        let Some((face, _)) = known.split_first_chunk_mut::<FACE>() else { return 0.0 };
         if self.heals { 0.0 } else { self.remember_face(place, value, face) }
     }
 
@@ -153,23 +132,12 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         response
     }
 
-    fn section_state(&self, &Point { place, value, slope, memory }: &Point<f64, 3>, _: f64) -> SectionState {
-        let elastic = self.profile.section_state(place, value[2], slope);
-        let Some(law) = &self.yielding else { return elastic };
-        let [.., outer, back, inner] = memory;
-        let station = self.profile.at(place);
-        let bent = law.at([outer, back, inner], elastic.curvature - station.curvature);
-        let moment = station.section.bending * bent.moment;
-        let released = |moment: f64| 0.5 * moment * moment / station.section.bending;
-        SectionState { moment, stored: elastic.stored - released(elastic.moment) + released(moment), ..elastic }
+    fn section_state(&self, point: &Point<f64, 3>, _: f64) -> SectionState {
+        self.profile.section_state(point.place, point.value[2], point.slope)
     }
 
     fn remembers_face(&self) -> bool {
         !self.heals
-    }
-
-    fn yields(&self) -> bool {
-        self.yielding.is_some()
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {

@@ -91,7 +91,7 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
     #[inline(always)]
     fn add_remembered<T: Real>(&self, point: &Point<T, 3>, response: &mut PointResponse<T, 3>) {
         let &Point { place, value, slope: [dx, dy, turn], memory } = point;
-        let [stretch, slide, bend, factor, distance, per_time, _] = memory;
+        let [stretch, slide, bend, factor, distance, per_time, ..] = memory;
         let (Section { axial, shear, bending }, rise) = self.density.stiffness_at(place);
         let section = Section { axial: axial * factor, shear: shear * factor, bending: bending * factor };
         let viscous =

@@ -153,7 +153,9 @@ impl<const F: usize> UniformChain<F> {
             return memory_of(at.history, place);
         };
         let [stretch, slide, turn, distance] = known.strains[e * self.basis.order + q];
-        [stretch, slide, turn, known.factor, distance, known.per_time, 0.0]
+        let mut memory = [0.0; MEMORY];
+        memory[..6].copy_from_slice(&[stretch, slide, turn, known.factor, distance, known.per_time]);
+        memory
     }
 
     /// The same of one number a node and field.

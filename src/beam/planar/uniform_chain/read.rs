@@ -137,7 +137,9 @@ impl<const F: usize> UniformChain<F> {
                 let mut section =
                     self.density.section_state_from_forces(position, values[slot], forces, at.axial_multiplier);
                 if self.density.yields() {
-                    section.curvature = slopes[slot][F - 1] * element.stretch();
+                    let slopes = slopes[slot].map(|slope| slope * element.stretch());
+                    (section.horizontal_slope, section.vertical_slope) = (slopes[0], slopes[1]);
+                    section.curvature = slopes[F - 1];
                 }
                 let memory = memory_of(at.history, position);
                 let adhesion = self.density.adhesion_at(position, values[slot], memory, at.axial_multiplier);

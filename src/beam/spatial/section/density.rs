@@ -452,6 +452,11 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
         true
     }
 
+    /// What a viscous material remembers says whether there is one.
+    fn remembers(&self) -> bool {
+        true
+    }
+
     /// Where a face that is held closes the law has a corner as well: what repels does not depend on the slip.
     fn knots(&self) -> &'static [f64] {
         let Some(law) = self.adhesion.as_ref().and_then(SpatialSection::cohesive) else { return &[] };

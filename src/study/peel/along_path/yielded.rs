@@ -1,7 +1,7 @@
-//! How a film that yields has been bent: what that left in it, and what its law leaves out.
+//! How a film has yielded, and what that left in it.
 
 use crate::beam::element::energy_density::FACE;
-use crate::beam::material::yielding::BendingMemory;
+use crate::beam::material::yielding::FilmMemory;
 use crate::beam::planar::chain::NodeState;
 use crate::solve::newton::Solution;
 use crate::solve::state::History;
@@ -12,8 +12,8 @@ use std::sync::Arc;
 /// How a film has yielded at one equilibrium of its path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Yielded {
-    /// Work that bending has left in the film since rest, aJ: ∫ M dκ of every section, less M²/2EI. It is dissipated, but for what residual stresses
-    /// store.
+    /// Work that yielding has left in the film since rest, aJ: ∫ N dΓ1 + M dκ of every section, less N²/2EA + M²/2EI. It is dissipated, but for what
+    /// residual stresses store.
     pub work: f64,
     /// The same in a unit of area that peels, nN/nm, from the way of the front over the process zone before; none where it has not come so far
     pub work_per_area: Option<f64>,
@@ -21,8 +21,10 @@ pub struct Yielded {
     pub length: f64,
     /// The largest curvature that a section has had, over that at which its surfaces yield
     pub largest_curvature: f64,
-    /// The largest axial force of a section over σ₀ A. The law leaves out that it takes its square of the moment at which a section has yielded through.
+    /// The largest axial force of a section over σ₀ A. At 1 a film that does not harden flows.
     pub axial_share: f64,
+    /// The largest stretch that stays in a section when it is unloaded, Γ1
+    pub permanent_stretch: f64,
 }
 
 impl Peel {
@@ -35,21 +37,20 @@ impl Peel {
     /// The same at `points[index]`.
     pub fn yielded_at(&self, index: usize) -> Option<Yielded> {
         let trace = self.trace.as_ref()?;
-        let law = self.model.bending_law()?;
+        let law = self.model.film_law()?;
         let here = trace.points.get(index)?;
-        let known = bending_of(trace, here)?;
+        let known = film_of(trace, here)?;
         let beam = trace.problem.beam.planar()?;
         let before =
             self.points[..index].iter().rposition(|at| at.front >= self.points[index].front + beam.process_length);
         let per_area = before.and_then(|before| {
             let way = self.points[before].front - self.points[index].front;
-            let left = self.work_left(&known) - self.work_left(&bending_of(trace, &trace.points[before])?);
+            let left = self.work_left(&known) - self.work_left(&film_of(trace, &trace.points[before])?);
             Some(left / way / self.model.section_at(0.0).1)
         });
         let largest = known.memories().map(|(_, memory)| memory.largest().abs()).fold(0.0, f64::max);
-        let yielded = known.memories().filter(|(_, memory)| memory.largest().abs() > law.elastic);
-        let section = self.model.section();
-        let strength = 0.5 * law.elastic * self.model.strip()?.height;
+        let yielded = known.memories().filter(|(_, memory)| memory.has_yielded());
+        let stretch = known.memories().map(|(_, memory)| memory.permanent_stretch(&law)).fold(0.0, f64::max);
         let elements = 0..here.at.mesh.elements();
         let axial = |state: &NodeState| {
             let (sin, cos) = state.values[beam.rotation].sin_cos();
@@ -60,27 +61,28 @@ impl Peel {
             work: self.work_left(&known),
             work_per_area: per_area,
             length: yielded.map(|(length, _)| length).sum(),
-            largest_curvature: largest / law.elastic,
-            axial_share: states.iter().map(axial).fold(0.0, f64::max) / (strength * section.axial),
+            largest_curvature: largest / law.yield_strain,
+            axial_share: states.iter().map(axial).fold(0.0, f64::max) / (law.yield_strain * self.model.section().axial),
+            permanent_stretch: stretch,
         })
     }
 
-    /// Work that bending has left in the film, aJ.
-    fn work_left(&self, known: &Bending) -> f64 {
-        self.model.section().bending * known.memories().map(|(length, memory)| length * memory.lost()).sum::<f64>()
+    /// Work that yielding has left in the film, aJ.
+    fn work_left(&self, known: &Film) -> f64 {
+        self.model.section().axial * known.memories().map(|(length, memory)| length * memory.lost()).sum::<f64>()
     }
 }
 
-/// What the sections of a film remember of their bending.
-struct Bending(Arc<History>);
+/// What the sections of a film have been through.
+struct Film(Arc<History>);
 
-fn bending_of(trace: &SolutionHistory, at: &Solution) -> Option<Bending> {
-    trace.problem.system.commit(&at.at).map(Bending)
+fn film_of(trace: &SolutionHistory, at: &Solution) -> Option<Film> {
+    trace.problem.system.commit(&at.at).map(Film)
 }
 
-impl Bending {
+impl Film {
     /// Length of each, nm, with what it remembers.
-    fn memories(&self) -> impl Iterator<Item = (f64, BendingMemory)> + '_ {
-        self.0.points().map(|(_, length, row)| (length, BendingMemory::read(&row[FACE..])))
+    fn memories(&self) -> impl Iterator<Item = (f64, FilmMemory)> + '_ {
+        self.0.points().map(|(_, length, row)| (length, FilmMemory::read(&row[FACE..])))
     }
 }
