@@ -9,17 +9,15 @@
 //! ```
 //!
 //! q is linear in pieces, and so is p, so that the integrals are exact. Behind a step q has moved by what p would have gone beyond ±e_y. Pieces that
-//! follow one another on one line become one; more than [`KNOTS`] are made fewer where that changes least. Bent alone, such a section obeys
+//! follow one another on one line become one; more than [`CORNERS`] allows are made fewer where that changes least. Bent alone, such a section obeys
 //! M(κ)/EI = t κ + (1 - t)(3 κ_e/2 - κ_e³/(2 κ²)) for the first time, beyond κ_e = 2 e_y/h, and Masing's rule on the way back.
 //! Sources: G. Masing, Proc. 2nd Int. Congr. Appl. Mech. (1926); K.-S. Kim, N. Aravas, Int. J. Solids Struct. 24 (1988), 417.
 
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
-/// Where the plastic strain over a height has corners, at most, besides its ends.
-const KNOTS: usize = 8;
-/// Corners with both ends.
-const CORNERS: usize = KNOTS + 2;
+/// Corners that the plastic strain over a height has at most, its ends among them.
+const CORNERS: usize = 10;
 /// The plastic strain over the height, as numbers: at both ends, and then place and strain of each corner from one end to the other.
 pub(crate) const PROFILE: usize = 2 * CORNERS - 2;
 /// Those numbers.
