@@ -101,9 +101,17 @@ pub(crate) fn between([one, other]: [&PlasticStrain; 2], share: f64) -> PlasticS
     simplified(places.into_iter().map(|place| Corner { place, value: mixed(place) }).collect())
 }
 
-/// Calls for each piece of a line from one corner to the next, cut where it goes beyond a bound to either side.
+/// What the fibres would be strained by elastically, corner by corner.
+fn trial(profile: &PlasticStrain, [stretch, bend]: Strain) -> [Corner; CORNERS] {
+    corners(profile).map(|Corner { place, value }| Corner { place, value: stretch + bend * place - value })
+}
+
+/// Calls for each piece of a line from one corner to the next, where these are apart, cut where it goes beyond a bound to either side.
 #[inline(always)]
 fn pieces(from: Corner, to: Corner, bound: f64, mut with: impl FnMut(Corner, Corner)) {
+    if to.place <= from.place {
+        return;
+    }
     let rise = to.value - from.value;
     let within = |corner: Corner| corner.value.abs() <= bound;
     let mut start = from;
@@ -139,12 +147,7 @@ impl FilmLaw {
             return elastic;
         }
         let (mut energy, mut forces, mut stiffness) = (0.0, [0.0; 2], [0.0; 3]);
-        let trial =
-            corners(profile).map(|Corner { place, value }| Corner { place, value: stretch + bend * place - value });
-        for pair in trial.windows(2) {
-            if pair[1].place <= pair[0].place {
-                continue;
-            }
+        for pair in trial(profile, strain).windows(2) {
             pieces(pair[0], pair[1], bound, |from, to| {
                 let length = 0.5 * (to.place - from.place);
                 let (place, value) = (0.5 * (from.place + to.place), 0.5 * (from.value + to.value));
@@ -174,8 +177,8 @@ impl FilmLaw {
         }
     }
 
-    /// Takes a section on to a strain at the end of a step, the step before being `step_before` times as long. Where its curvature turned at the end of
-    /// that one, as far as steps tell, or else its stretch, it turned where the parabola through the newest three does.
+    /// Takes a section on to a strain at the end of a step, the step before being `step_before` times as long. Where its curvature or the strain of a
+    /// surface turned at the end of that one, as far as steps tell, it turned where the parabola through the newest three does.
     pub(crate) fn advance(&self, known: &mut FilmMemory, strain: Strain, step_before: f64) {
         let values = |k: usize| [known.before[k], known.newest[k], strain[k]];
         let [stretch, bend] = [0, 1].map(|k| Steps { values: values(k), before: step_before });
@@ -204,21 +207,21 @@ impl FilmLaw {
     }
 
     /// The plastic strain behind a way that ended at a strain.
-    fn flown(&self, profile: &PlasticStrain, [stretch, bend]: Strain) -> PlasticStrain {
+    fn flown(&self, profile: &PlasticStrain, strain: Strain) -> PlasticStrain {
+        let [stretch, bend] = strain;
         let bound = self.yield_strain + SLACK * (stretch.abs() + bend.abs());
-        let strain = |place: f64| stretch + bend * place;
-        let known = corners(profile).map(|Corner { place, value }| Corner { place, value: strain(place) - value });
+        let known = trial(profile, strain);
         if known.iter().all(|corner| corner.value.abs() <= bound) {
             return *profile;
         }
         let mut flown = Vec::with_capacity(3 * CORNERS);
-        let stays =
-            |Corner { place, value }: Corner| Corner { place, value: strain(place) - value.clamp(-bound, bound) };
+        let stays = |Corner { place, value }: Corner| Corner {
+            place,
+            value: stretch + bend * place - value.clamp(-bound, bound),
+        };
         flown.push(stays(known[0]));
         for pair in known.windows(2) {
-            if pair[1].place > pair[0].place {
-                pieces(pair[0], pair[1], bound, |_, to| flown.push(stays(to)));
-            }
+            pieces(pair[0], pair[1], bound, |_, to| flown.push(stays(to)));
         }
         simplified(flown)
     }
