@@ -31,6 +31,19 @@ pub const WORKS: &[Unit] = &[
     unit("mJ", 1e15),
     unit("J", 1e18),
 ];
+/// Units of forces over a width, from small to large.
+pub const FORCES_PER_WIDTH: &[Unit] = &[unit("mN/m", 1e-3), unit("N/m", 1.0), unit("kN/m", 1e3)];
+/// Those in which peel adhesion is reported: no number is written in one because it fits.
+pub const PEEL_ADHESIONS: &[Unit] = &[
+    unit("gf/25mm", 0.392_266),
+    unit("gf/cm", 0.980_665),
+    unit("mN/mm", 1.0),
+    unit("N/25mm", 40.0),
+    unit("N/cm", 100.0),
+    unit("N/mm", 1e3),
+];
+/// Units of works over a width, from small to large.
+pub const WORKS_PER_WIDTH: &[Unit] = &[unit("nJ/m", 1.0), unit("µJ/m", 1e3), unit("mJ/m", 1e6), unit("J/m", 1e9)];
 /// Units of moments, from small to large.
 pub const MOMENTS: &[Unit] = &[
     unit("nN nm", 1.0),
@@ -53,7 +66,7 @@ pub const BENDING_STIFFNESSES: &[Unit] = &[
     unit("N m²", 1e27),
 ];
 
-/// The units in which a person wants forces, lengths and works. Of what has none the one that fits is taken.
+/// The units in which a person wants forces, lengths, works and forces over a width. Of what has none the one that fits is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PreferredUnits {
     /// Of forces
@@ -62,23 +75,26 @@ pub struct PreferredUnits {
     pub length: Option<Unit>,
     /// Of works and energies
     pub work: Option<Unit>,
+    /// Of forces over the width of a strip
+    pub force_per_width: Option<Unit>,
 }
 
 impl PreferredUnits {
     /// Those of a text such as "mN, mm, nJ", where u stands for µ as well, and "auto" for nothing.
     ///
     /// # Errors
-    /// The first word that is no unit of a force, a length or a work.
+    /// The first word that is no unit of a force, a length, a work or a force over a width.
     pub fn parse(text: &str) -> Result<Self, &str> {
         let mut units = Self::default();
         for word in text.split(',').map(str::trim).filter(|&word| word != "auto") {
             let name = word.replace('μ', "µ");
             let find = |known: &[Unit]| known.iter().copied().find(|unit| [unit.name, &unit.ascii()].contains(&&*name));
+            let per_width = || find(FORCES_PER_WIDTH).or_else(|| find(PEEL_ADHESIONS));
             match (find(FORCES), find(LENGTHS), find(WORKS)) {
                 (Some(force), ..) => units.force = Some(force),
                 (_, Some(length), _) => units.length = Some(length),
                 (.., Some(work)) => units.work = Some(work),
-                _ => return Err(word),
+                _ => units.force_per_width = Some(per_width().ok_or(word)?),
             }
         }
         Ok(units)
@@ -86,17 +102,29 @@ impl PreferredUnits {
 
     /// Each one that is given, forces first.
     pub fn given(&self) -> impl Iterator<Item = Unit> {
-        [self.force, self.length, self.work].into_iter().flatten()
+        [self.force, self.length, self.work, self.force_per_width].into_iter().flatten()
     }
 
-    /// The one that is given among these, if one is.
-    pub fn among(&self, units: &[Unit]) -> Option<Unit> {
-        self.given().find(|unit| units.contains(unit))
+    /// The one that is given of what has these units, if one is.
+    pub fn of(&self, units: &[Unit]) -> Option<Unit> {
+        match units {
+            FORCES => self.force,
+            LENGTHS => self.length,
+            WORKS => self.work,
+            FORCES_PER_WIDTH => self.force_per_width,
+            _ => None,
+        }
+    }
+
+    /// The same for a strip of this width (nm): its forces are written over the width where a unit of that is given and none of forces.
+    pub fn across(self, width: f64) -> Self {
+        let of_width = |unit: Unit| Unit { size: unit.size * width, ..unit };
+        Self { force: self.force.or(self.force_per_width.map(of_width)), ..self }
     }
 
     /// The one that is given among these, else that which fits the largest number.
     pub fn fitting(&self, units: &[Unit], largest: f64) -> Unit {
-        self.among(units).unwrap_or_else(|| Unit::fitting(units, largest))
+        self.of(units).unwrap_or_else(|| Unit::fitting(units, largest))
     }
 }
 
@@ -113,9 +141,9 @@ impl Unit {
         units.iter().rev().find(fits).copied().unwrap_or(units[0])
     }
 
-    /// Its name with u in place of µ, as in the names of columns.
+    /// Its name as in the names of columns: with u in place of µ, and in words what it is over.
     pub fn ascii(&self) -> String {
-        self.name.replace('µ', "u")
+        self.name.replace('µ', "u").replace('/', "_per_")
     }
 
     /// A number in nN, nm, aJ or nN nm² in this unit.
@@ -152,9 +180,25 @@ mod tests {
         assert_eq!(names("um, pN"), Ok(vec!["pN", "µm"]));
         assert_eq!(names("auto"), Ok(vec![]));
         assert_eq!(names("μN,mm,fJ"), Ok(vec!["µN", "mm", "fJ"]));
+        assert_eq!(names("N/25mm, mm"), Ok(vec!["mm", "N/25mm"]));
         assert_eq!(names("mm, furlong"), Err("furlong"));
         let units = PreferredUnits::parse("mm").unwrap();
         assert_eq!([units.fitting(LENGTHS, 3.0).name, units.fitting(FORCES, 3e6).name], ["mm", "mN"]);
+    }
+
+    #[test]
+    fn the_force_of_a_strip_is_over_its_width_where_no_unit_of_forces_is_given() {
+        // 2 N on 20 mm are 2.5 N on 25 mm, and 100 N/m
+        let written = |text| {
+            let units = PreferredUnits::parse(text).unwrap().across(20e6);
+            let unit = units.fitting(FORCES, 2e9);
+            (unit.of(2e9), unit.name, units.fitting(FORCES_PER_WIDTH, 100.0).of(100.0))
+        };
+        assert_eq!(written("N/25mm"), (2.5, "N/25mm", 2.5));
+        assert_eq!(written("N,N/25mm"), (2.0, "N", 2.5));
+        assert_eq!(written("auto"), (2.0, "N", 100.0));
+        // 9.80665 m/s² for a gram
+        assert_eq!(Unit { ..PEEL_ADHESIONS[1] }.of(9.80665), 10.0);
     }
 
     #[test]

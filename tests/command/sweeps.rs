@@ -186,12 +186,21 @@ fn the_printed_units_fit_or_are_those_that_are_wanted() {
     assert!(wanted.contains(" µm, work to there 3470.") && wanted.contains(" zJ"), "{wanted}");
     let wide = printed(&["--set", "strip.width=1 mm"]);
     assert!(wide.contains("  peak force         341.12") && wide.contains(" µN at u = 0.24960"), "{wide}");
+    // 341.12 µN on 1 mm are 8528 µN on 25 mm
+    let over = printed(&["--set", "strip.width=1 mm", "--units", "N/25mm"]);
+    assert!(over.contains("  peak force         0.0085280") && over.contains(" N/25mm at u = 0.24960"), "{over}");
+    let of_width = ["sweep", SCENE, "--vary", "strip.width", "--from", "1 nm", "--to", "2 nm", "--points", "2"];
+    refused(
+        dir.path(),
+        &[&of_width[..], &["--units", "N/cm"]].concat(),
+        "--units has N/cm, a force over the width of a strip, and `strip.width` is varied",
+    );
     let table = fs::read_to_string(dir.path().join("out/strip-100nm-accuracy.relative-1e-3/summary.json")).unwrap();
     assert!(table.contains("\"force_nN\": 0.341"), "files keep their units");
     refused(
         dir.path(),
         &["run", SCENE, "--units", "lbf"],
-        "--units has \"lbf\", which is no unit of a force, a length or a work",
+        "--units has \"lbf\", which is no unit of a force, a length, a work or a force over a width",
     );
 }
 

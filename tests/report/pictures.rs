@@ -187,7 +187,7 @@ fn a_sweep_of_the_stiffness_shows_kendall() {
     let rows = factors(&[0.01, 0.1, 1.0, 10.0]);
     let text =
         check_pictures(&draw_sweep(&rows, "strip.bending_stiffness_factor", "Fig. 10", true, dir.path()).unwrap());
-    for label in ["EI / EI₀", "force per width P/b (nN/nm)", "work to snap-off W/b (aJ/nm)", "Kendall", "10⁻²"] {
+    for label in ["EI / EI₀", "force per width P/b (N/m)", "work to snap-off W/b (nJ/m)", "Kendall", "10⁻²"] {
         assert!(text.contains(label), "{label} is missing");
     }
 }

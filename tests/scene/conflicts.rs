@@ -203,9 +203,24 @@ fn units_are_refused_that_results_are_not_written_in() {
     let units = |value: &str| shown(MINIMAL, &set("output.units", value));
     assert_says(
         &units("\"mm, lbf\""),
-        &["has \"lbf\", which is no unit of a force, a length or a work that results are written in", "\"mN, mm, nJ\""],
+        &[
+            "has \"lbf\", which is no unit of a force, a length, a work or a force over a width that results are written in",
+            "\"mN, mm, nJ\"",
+        ],
     );
     assert_says(&units("3"), &["is 3, no text of units"]);
+    // of a strip, unless its width varies
+    let over = set("output.units", "\"N/25mm\"");
+    assert!(Scene::parse_any("a.toml", MINIMAL, &over).is_ok());
+    let error = Scene::parse_any("a.toml", crate::text::SETA, &over).unwrap_err();
+    assert_says(&error.to_string(), &["has N/25mm, a force over the width of a strip, and the scene has no strip"]);
+    let sampled = [
+        ("uncertainty.inputs", "[{ key = \"strip.width\", distribution = \"lognormal\", log_deviation = 0.1 }]"),
+        ("output.units", "\"N/cm\""),
+    ];
+    let sampled = sampled.map(|(key, value)| (key.to_owned(), value.to_owned()));
+    let error = Scene::parse_any("a.toml", MINIMAL, &sampled).unwrap_err();
+    assert_says(&error.to_string(), &["and `strip.width` is varied", "such as N,N/cm"]);
 }
 
 #[test]

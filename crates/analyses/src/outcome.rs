@@ -40,7 +40,7 @@ pub trait Outcome {
     /// Fails as [`Outcome::write`].
     fn write_all(&self, scene: &Scene, dir: &Path, command: &str) -> Result<Vec<PathBuf>, ReportError> {
         let mut files = self.write(scene, dir, command)?;
-        files.extend(write_in_units(dir, &files, scene.units)?);
+        files.extend(write_in_units(dir, &files, scene.written_units())?);
         Ok(files)
     }
 

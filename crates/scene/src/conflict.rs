@@ -53,6 +53,9 @@ impl Conflict {
             let of_law = of_law.and_then(|name| KEYS.iter().find(|key| key.table == ADHESION && key.name == name));
             return Some(Self::missing(of_law.unwrap_or(key), given, scene));
         }
+        if let Some(problem) = scene.units_problem([]) {
+            return Some(Self { key: "output.units".to_owned(), problem, missing: None });
+        }
         if let Some((key, problem)) = array::problem(scene)
             .or_else(|| seta::problem(scene))
             .or_else(|| rate::problem(scene))

@@ -161,7 +161,7 @@ pub fn run(args: &Run) -> Result<(), Stop> {
     let scene = scene;
     args.refuse_states_without_files()?;
     let analysis = Analysis::of(&scene, args.asked()).map_err(|why| Stop::refused(&scene, why))?;
-    let wanted = scene.units;
+    let wanted = scene.written_units();
     let folder = args.folder();
     let answer = match analysis {
         Analysis::Peel(_) => folder.is_some().then_some(

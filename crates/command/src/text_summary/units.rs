@@ -5,9 +5,9 @@ use super::number::{short, with_error};
 use crate::terminal::stop::Stop;
 use clap::Args;
 use peelkit::units::{self, FORCES, LENGTHS, MOMENTS, PreferredUnits, WORKS};
-use peelkit_scene::Scene;
+use peelkit_scene::{Scene, ValueError};
 
-/// A unit of a force, a length or a work, with which numbers are printed.
+/// A unit of a force, a length, a work or a force over a width, with which numbers are printed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit(units::Unit);
 
@@ -16,7 +16,7 @@ pub struct Unit(units::Unit);
 pub struct UnitsArgs {
     /// Units of summary and pictures: µN,µm,fJ [default: those that fit]
     ///
-    /// One each of forces, lengths and works. Tables keep their units; copies in these are in the folder in-units.
+    /// One each of forces, lengths, works and forces over a width, such as N/25mm. Tables keep their units; copies in these are in the folder in-units.
     #[arg(long, value_name = "LIST")]
     units: Option<String>,
 }
@@ -31,7 +31,14 @@ impl UnitsArgs {
     /// Puts them into a scene, in place of its own.
     pub fn put(&self, scene: &mut Scene) -> Result<(), Stop> {
         scene.units = self.given()?.unwrap_or(scene.units);
-        Ok(())
+        self.check(scene, [])
+    }
+
+    /// Refuses those that a scene has no use for, if these keys are varied.
+    pub fn check(&self, scene: &Scene, varied: impl IntoIterator<Item = String>) -> Result<(), Stop> {
+        let name = if self.units.is_some() { "--units" } else { "output.units" };
+        let refused = |why: ValueError| Stop::bad_input(format!("{name} {}", why.found), why.remedy);
+        scene.units_problem(varied).map_or(Ok(()), |why| Err(refused(why)))
     }
 }
 

@@ -79,7 +79,14 @@ pub fn plot(args: &Plot) -> Result<(), Stop> {
         Kind::Curve => "Force against displacement".into(),
         Kind::Sweep => "Peak force".into(),
     });
-    let heading = Heading { title: &title, units: args.units.given()?.unwrap_or_default() };
+    let units = args.units.given()?.unwrap_or_default();
+    if let Some(unit) = units.force_per_width {
+        return Err(Stop::bad_input(
+            format!("--units has {}, a force over a width, and the results do not say their width", unit.name),
+            "Give a unit of forces, such as N.",
+        ));
+    }
+    let heading = Heading { title: &title, units };
     let folder = args.out.claim(args.out.out.as_deref().unwrap_or(Path::new("out/plot")), None)?;
     let files = folder.write(|dir| draw_overlay(&results, &measured, heading, [args.log_x, args.log_y], dir));
     say(&list_files(&files))?;

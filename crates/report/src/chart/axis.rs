@@ -1,6 +1,6 @@
 //! An axis: its range, where a value lies on it, its ticks and how they are printed.
 
-use peelkit::units::{FORCES, LENGTHS, PreferredUnits, Unit, WORKS};
+use peelkit::units::{FORCES, FORCES_PER_WIDTH, LENGTHS, PreferredUnits, Unit, WORKS, WORKS_PER_WIDTH};
 
 /// A labelled axis, linear or logarithmic.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +41,9 @@ pub struct Tick {
 
 /// A logarithmic axis is far above the unit of the files where it begins with so many of them.
 const FAR_ABOVE: f64 = 1e6;
+
+/// A tick at an end of the axis may lie beside it by so little.
+const ROUNDING: f64 = 1e-9;
 
 impl Axis {
     /// A linear axis.
@@ -114,22 +117,23 @@ impl Axis {
     fn prefixed(&self) -> Option<(Unit, Unit)> {
         let name = self.label.rsplit_once('(')?.1.strip_suffix(')')?;
         let of_label = |units: &&[Unit]| units.iter().any(|known| known.name == name);
-        let units = [FORCES, LENGTHS, WORKS].into_iter().find(of_label)?;
+        let all = [FORCES, LENGTHS, WORKS, FORCES_PER_WIDTH, WORKS_PER_WIDTH];
+        let units = all.into_iter().find(of_label)?;
         let own = *units.iter().find(|known| known.name == name)?;
         let fits = || Unit::fitting(units, self.from.abs().max(self.to.abs()).max(self.beside));
         let has_prefix = own.size == 1.0 && (!self.log || self.from >= FAR_ABOVE);
-        let written = self.units.among(units).or_else(|| has_prefix.then(fits))?;
+        let written = self.units.of(units).or_else(|| has_prefix.then(fits))?;
         (written != own).then_some((written, own))
     }
 
-    /// The power of ten of the unit in which its numbers are written, over that of its label.
-    fn shift(&self) -> i32 {
-        self.prefixed().map_or(0, |(written, own)| (written.size / own.size).log10().round() as i32)
+    /// The unit in which its numbers are written, over that of its label.
+    fn scale(&self) -> f64 {
+        self.prefixed().map_or(1.0, |(written, own)| written.size / own.size)
     }
 
     /// The power of ten that the texts of the ticks leave out besides: of a linear axis with many zeros.
     fn decades(&self) -> i32 {
-        let largest = self.from.abs().max(self.to.abs()) / 10f64.powi(self.shift());
+        let largest = self.from.abs().max(self.to.abs()) / self.scale();
         if self.log
             || !self.names.is_empty()
             || !largest.is_finite()
@@ -180,25 +184,27 @@ impl Axis {
             return self.names.iter().enumerate().map(tick).collect();
         }
         let ticks = if self.log { self.log_ticks(count) } else { self.linear_ticks(count) };
-        ticks.into_iter().filter(|t| (-1e-9..=1.0 + 1e-9).contains(&self.place(t.value))).collect()
+        ticks.into_iter().filter(|t| (-ROUNDING..=1.0 + ROUNDING).contains(&self.place(t.value))).collect()
     }
 
     fn linear_ticks(&self, count: usize) -> Vec<Tick> {
-        let rough = (self.to - self.from) / count.max(1) as f64;
+        let scale = self.scale();
+        let (from, to) = (self.from / scale, self.to / scale);
+        let rough = (to - from) / count.max(1) as f64;
         let decade = 10f64.powf(rough.log10().floor());
         let off = |step: &f64| (step / rough).ln().abs();
         let round = [1.0, 2.0, 5.0, 10.0].map(|m| m * decade);
         let step = round.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(rough);
-        let shown = step / 10f64.powi(self.shift() + self.decades());
+        let shown = step / 10f64.powi(self.decades());
         let digits = (-(shown * 1.000_001).log10().floor()).clamp(0.0, 12.0) as usize;
-        let (first, last) = ((self.from / step).ceil() as i64, (self.to / step).floor() as i64);
+        let (first, last) = ((from / step - ROUNDING).ceil() as i64, (to / step + ROUNDING).floor() as i64);
         let text = |i: i64| minus(format!("{:.digits$}", i as f64 * shown));
-        (first..=last).map(|i| Tick { value: i as f64 * step, text: Some(text(i)) }).collect()
+        (first..=last).map(|i| Tick { value: i as f64 * step * scale, text: Some(text(i)) }).collect()
     }
 
     fn log_ticks(&self, count: usize) -> Vec<Tick> {
         // decades of the unit in which its numbers are written
-        let unit = 10f64.powi(self.shift());
+        let unit = self.scale();
         let (from, to) = ((self.from / unit).log10(), (self.to / unit).log10());
         let (first, last) = (from.floor() as i32, to.ceil() as i32);
         let whole = (to.floor() as i32 - from.ceil() as i32).max(0);
@@ -305,6 +311,7 @@ mod tests {
         );
         assert_eq!(Axis::linear("displacement u (nm)", 0.0, 2e4).title(), "displacement u (µm)");
         assert_eq!(Axis::linear("work W (aJ)", -2e9, 1.0).title(), "work W (nJ)");
+        assert_eq!(Axis::linear("W/b (nJ/m)", 0.0, 3e8).title(), "W/b (mJ/m)");
         let lower = Axis { beside: 4.1e6, ..Axis::linear("force P (nN)", 0.0, 8e5) };
         assert_eq!(
             (lower.title(), texts(&lower, 4)),
@@ -340,6 +347,12 @@ mod tests {
         assert_eq!((of_seta.title(), of_seta.text_of(0.25, 3)), ("lift (nm)".into(), "250 nm".into()));
         let above = Axis { label: "(µm)".into(), ..of_seta };
         assert_eq!((above.title(), above.text_of(0.25, 3)), (String::new(), "250 nm".into()));
+        let trade = PreferredUnits::parse("N/25mm").unwrap();
+        let peel = Axis::linear("P/b (N/m)", 0.0, 400.0).in_units(trade);
+        assert_eq!(
+            (texts(&peel, 5), peel.title(), peel.text_of(100.0, 3)),
+            (["0", "2", "4", "6", "8", "10"].map(Into::into).to_vec(), "P/b (N/25mm)".into(), "2.50 N/25mm".into())
+        );
         let force = Axis::log("force P (nN)", 1e2, 1e4).in_units(units);
         assert_eq!(
             (texts(&force, 9), force.title()),

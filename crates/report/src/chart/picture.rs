@@ -32,7 +32,7 @@ impl<'h> From<&'h str> for Heading<'h> {
 
 impl<'h> From<&'h Scene> for Heading<'h> {
     fn from(scene: &'h Scene) -> Self {
-        Self { title: &scene.title, units: scene.units }
+        Self { title: &scene.title, units: scene.written_units() }
     }
 }
 

@@ -23,7 +23,7 @@ const RIGHT: f64 = WIDTH as f64 - 18.0;
 ///
 /// Fails where a file cannot be written ([`ReportError::Write`]).
 pub fn draw_fit(of: &FitReport, dir: &Path) -> Result<Vec<PathBuf>, ReportError> {
-    let (fit, units) = (of.fit, of.scene.units);
+    let (fit, units) = (of.fit, of.scene.written_units());
     let mut pictures = vec![(curves(of).in_units(units), "fit")];
     let profiles: Vec<_> =
         fit.parameters.iter().filter_map(|parameter| Some((parameter, parameter.profile.as_ref()?))).collect();

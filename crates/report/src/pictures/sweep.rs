@@ -20,9 +20,9 @@ pub const STIFFNESS: &str = "strip.bending_stiffness_factor";
 const ANGLE: &str = "drive.angle";
 
 /// The label of an axis of forces per width.
-pub const FORCE: &str = "force per width P/b (nN/nm)";
+pub const FORCE: &str = "force per width P/b (N/m)";
 /// The label of an axis of work per width.
-pub const WORK: &str = "work to snap-off W/b (aJ/nm)";
+pub const WORK: &str = "work to snap-off W/b (nJ/m)";
 /// The label of an axis of bending stiffness over that of the section.
 pub const STIFFNESS_LABEL: &str = "EI / EI₀";
 
@@ -116,7 +116,7 @@ pub fn plateau_per_width(row: &SweepRow) -> Option<f64> {
     (!tilts).then(|| per_width(row, plateau.force))
 }
 
-/// Kendall's force per width at the angle of the pull, nN/nm, with the work of adhesion that the strip has at rest.
+/// Kendall's force per width at the angle of the pull, N/m, with the work of adhesion that the strip has at rest.
 pub fn kendall_per_width(row: &SweepRow) -> f64 {
     let work = -row.model.line_law().rest_energy();
     let (width, height) = row.model.free_end();

@@ -58,7 +58,7 @@ fn renamed(name: &str, units: PreferredUnits) -> Option<(String, Unit)> {
     let of = known.into_iter().find(|units| units.iter().any(|known| known.size == 1.0 && known.name == unit))?;
     let before = stem.rsplit('_').next().unwrap_or_default();
     let is_alone = before != "per" && !known.iter().any(|units| units.iter().any(|known| known.name == before));
-    let wanted = units.among(of).filter(|wanted| is_alone && wanted.size != 1.0)?;
+    let wanted = units.of(of).filter(|wanted| is_alone && wanted.size != 1.0)?;
     Some((format!("{stem}_{}", wanted.ascii()), wanted))
 }
 

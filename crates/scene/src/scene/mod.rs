@@ -7,6 +7,7 @@ pub(crate) mod seta;
 pub(crate) mod solid;
 pub(crate) mod studies;
 
+use crate::error::ValueError;
 use crate::value::table::beside;
 use array::ArrayTable;
 use bounds::BoundsTable;
@@ -57,6 +58,9 @@ pub struct Scene {
     /// The tables that the text gives, as they were read.
     pub table_texts: TableTexts,
 }
+
+/// The key of what forces of a strip are over.
+const WIDTH: &str = "strip.width";
 
 /// The texts of a scene's tables, in CSV or SWC: what the model holds of them are numbers alone, and a summary reports them as they were
 /// written. Each is empty where the scene has no such table.
@@ -191,6 +195,35 @@ impl Scene {
             (None, None, Some(solid)) => Described::Solid(solid),
             (None, None, None) => Described::Peel,
         }
+    }
+
+    /// The units of what is printed and drawn: forces of a strip are over its width, where a unit of that is given and none of forces.
+    pub fn written_units(&self) -> PreferredUnits {
+        self.model.strip().map_or(self.units, |strip| self.units.across(strip.width))
+    }
+
+    /// What is wrong with the units, if these keys are varied besides those that fits, searches and samples vary.
+    pub fn units_problem(&self, varied: impl IntoIterator<Item = String>) -> Option<ValueError> {
+        let unit = self.units.force_per_width?.name;
+        let has_strip = matches!(self.describes(), Described::Peel | Described::Solid(_) | Described::Rate(_, None));
+        if !has_strip || self.model.strip().is_none() {
+            return Some(ValueError::new(
+                format!("has {unit}, a force over the width of a strip, and the scene has no strip"),
+                "Give a unit of forces, such as mN.",
+            ));
+        }
+        let fitted = self.fit.iter().flat_map(|fit| fit.parameters.iter().map(|of| &of.path));
+        let set = self.fit.iter().flat_map(|fit| &fit.curves).flat_map(|curve| curve.set.iter().map(|(path, _)| path));
+        let free = self.optimisation.iter().flat_map(|search| search.parameters.iter().map(|of| &of.path));
+        let sampled = self.uncertainty.iter().flat_map(|sample| sample.inputs.iter().map(|of| &of.path));
+        let is_varied = varied.into_iter().any(|path| path == WIDTH)
+            || fitted.chain(set).chain(free).chain(sampled).any(|path| path == WIDTH);
+        (is_varied && self.units.force.is_none()).then(|| {
+            ValueError::new(
+                format!("has {unit}, a force over the width of a strip, and `{WIDTH}` is varied"),
+                format!("Give a unit of forces beside it, such as N,{unit}."),
+            )
+        })
     }
 
     /// The body at a tip of a seta with its adhesion, its end held against rotation, on flat ground without friction: what the law of the

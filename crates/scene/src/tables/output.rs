@@ -7,7 +7,7 @@ use crate::value::form::{Entry, Form};
 use crate::value::quantity::Dimension;
 use crate::value::{Fault, Value, quoted};
 use peelkit::study::{EventAction, EventAt, StationAt, StationQuantity};
-use peelkit::units::{FORCES, LENGTHS, PreferredUnits, Unit, WORKS};
+use peelkit::units::{FORCES, FORCES_PER_WIDTH, LENGTHS, PEEL_ADHESIONS, PreferredUnits, Unit, WORKS};
 
 /// Most stations of a path, and most events.
 const MOST: usize = 1000;
@@ -185,7 +185,7 @@ fn written_events(events: &[EventAt]) -> Value {
 
 /// `units`
 pub(crate) static UNITS: Setting = Setting {
-    takes: "a text of at most one unit each of forces, lengths and works",
+    takes: "a text of at most one unit each of forces, lengths, works and forces over a width",
     brief: "a text of units",
     example: "\"mN, mm, nJ\"",
     form: || Form::Text,
@@ -201,7 +201,10 @@ pub(crate) static UNITS: Setting = Setting {
 };
 
 fn no_unit(word: &str) -> String {
-    format!("has {}, which is no unit of a force, a length or a work that results are written in", quoted(word))
+    format!(
+        "has {}, which is no unit of a force, a length, a work or a force over a width that results are written in",
+        quoted(word)
+    )
 }
 
 /// The units of the command line, `mN,mm`.
@@ -213,10 +216,12 @@ pub fn units(text: &str) -> Result<PreferredUnits, ValueError> {
         ValueError::new(
             no_unit(word),
             format!(
-                "Give one unit each of what is not to be chosen by size: of forces {}; of lengths {}; of works {}. For example --units µN,µm,fJ.",
+                "Give one unit each of what is not to be chosen by size: of forces {}; of lengths {}; of works {}; of forces over a width {}, {}. For example --units µN,µm,fJ.",
                 names(FORCES),
                 names(LENGTHS),
-                names(WORKS)
+                names(WORKS),
+                names(FORCES_PER_WIDTH),
+                names(PEEL_ADHESIONS)
             ),
         )
     })

@@ -52,7 +52,7 @@ pub fn collect(args: &Collect) -> Result<(), Stop> {
     if args.json {
         say(&found.json(&scene, Some(&command)).map_err(Stop::other)?)?;
     } else {
-        say(&format!("{}\n{}", table(&scene, &found, scene.units), list_files(&Ok(files))))?;
+        say(&format!("{}\n{}", table(&scene, &found, scene.written_units()), list_files(&Ok(files))))?;
     }
     let short: Vec<String> = missing_text.into_iter().chain(found.failed()).collect();
     if short.is_empty() { Ok(()) } else { Err(Stop::cut_short(short.join("\nand "))) }

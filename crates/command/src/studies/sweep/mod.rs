@@ -23,12 +23,14 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let scene = scene;
     let refused = |why| Stop::refused(&scene, why);
     Analysis::allows(&scene, args.followed().is_some(), args.part.is_some()).map_err(refused)?;
-    let wanted = scene.units;
+    let wanted = scene.written_units();
     let parameters = args.varied.parameters()?;
     let axes = parameters.iter().map(|parameter| axes::read(&scene, parameter));
     let axes = axes.collect::<Result<Vec<Axis>, Stop>>()?;
     args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
     let cases = Cases::along(&scene, &axes, args.part).map_err(refused)?;
+    let varied = [Some(cases.keys.first), cases.keys.second];
+    args.units.check(&scene, varied.into_iter().flatten().map(|key| key.path()))?;
     refuse_set_keys(&args.scene.overrides, cases.keys)?;
     let part = args.part.map(|part| part::header(args, &scene, &axes, part));
     let sweep = Analysis::of(&scene, cases, args.followed(), part).map_err(refused)?;
