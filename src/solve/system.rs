@@ -250,13 +250,6 @@ pub trait System: Send + Sync {
         add_weighted(out, states, weights, -1.0);
     }
 
-    /// What the unknowns are counted from on this mesh, where the system depends on how far they are from that: nodes move along with a mesh, and
-    /// what moves with them is not to be extrapolated.
-    fn counted_from(&self, at: &State) -> Option<Vec<f64>> {
-        let _ = at;
-        None
-    }
-
     /// Size of a direction at these values: 1 is a change of the order of the problem's own scales. NaN where a number is none.
     fn size(&self, direction: &[f64], at: &State) -> f64 {
         let sizes = self.per_unit(at).into_iter().zip(direction).map(|(unit, change)| (unit * change).abs());

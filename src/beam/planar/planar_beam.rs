@@ -27,14 +27,14 @@ pub const TIP_ROTATION: usize = 1;
 
 /// A chain with its reference configuration and the scales of its adhesion.
 ///
-/// Unknowns: the fields of the nodes from left to right, y and θ, or x, y and θ; behind them, where x is condensed and a horizontal force
+/// Unknowns: the fields of the nodes from left to right, y and θ, or u = x - S, y and θ; behind them, where x is condensed and a horizontal force
 /// acts, that force H and the place of the right end along x. The interface is the right end.
 pub struct PlanarBeam {
     /// Its elements
     pub chain: Box<dyn Chain>,
     /// Reference length L, nm
     pub length: f64,
-    /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves x out.
+    /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves u out.
     pub rest: ReferenceConfiguration,
     /// The height field at the left end at rest, nm.
     pub rest_gap: f64,
@@ -162,7 +162,8 @@ impl PlanarBeam {
 
     /// The fields of a node at rest.
     pub(crate) fn rest_at(&self, place: f64) -> [f64; MOST_FIELDS] {
-        let all = self.rest.at(place);
+        let [x, height, rotation] = self.rest.at(place);
+        let all = [x - place, height, rotation];
         let left_out = MOST_FIELDS - self.fields();
         std::array::from_fn(|f| all.get(f + left_out).copied().unwrap_or(0.0))
     }
@@ -213,7 +214,20 @@ impl PlanarBeam {
         self.front(self.chain.energy(self.configuration(at), self.nodes(&at.values)).0.coverage)
     }
 
-    /// What the height of a node is measured by: its scale plus its lift, nm.
+    /// The fields of the nodes, x in place of u where the ground is not the same everywhere.
+    pub(super) fn above_ground<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
+        let nodes = self.nodes(&at.values);
+        if self.substrate.is_flat() {
+            return Cow::Borrowed(nodes);
+        }
+        let mut nodes = nodes.to_vec();
+        for (node, place) in nodes.chunks_exact_mut(self.fields()).zip(self.places(&at.mesh.boundaries)) {
+            node[0] += place;
+        }
+        Cow::Owned(nodes)
+    }
+
+    /// What the height of a node [above the ground](Self::above_ground) is measured by: its scale plus its lift, nm.
     #[inline(always)]
     pub(super) fn height_unit(&self, node: &[f64]) -> f64 {
         let up = self.rotation - 1;
@@ -227,7 +241,7 @@ impl PlanarBeam {
     /// Distance of the beam from the substrate, nm: of the lowest edge of its nodes, or the least gap below its axis where
     /// the law does not depend on the section's rotation.
     pub(crate) fn nearest(&self, at: &State) -> f64 {
-        self.distances(at).fold(f64::INFINITY, f64::min)
+        self.distances(at).into_iter().fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of the beam from what it cannot pass, nm.
@@ -246,19 +260,19 @@ impl PlanarBeam {
         let Some(reach) = self.slip_reach else { return self.nearest(at) - far };
         let places = self.places(&at.mesh.boundaries);
         let nodes = self.nodes(&at.values).chunks_exact(self.fields()).zip(places);
-        let slips =
-            nodes.map(|(node, place)| node[0] + 0.5 * self.height_at(place) * node[self.rotation].sin() - place);
-        let each = self.distances(at).zip(slips);
+        let slips = nodes.map(|(node, place)| node[0] + 0.5 * self.height_at(place) * node[self.rotation].sin());
+        let each = self.distances(at).into_iter().zip(slips);
         each.map(|(distance, slip)| (distance - far).max(far * (slip.abs() / reach - 1.0)))
             .fold(f64::INFINITY, f64::min)
     }
 
     /// Distance of each node from the substrate, nm.
-    fn distances<'a>(&'a self, at: &'a State) -> impl Iterator<Item = f64> + 'a {
+    fn distances(&self, at: &State) -> Vec<f64> {
         let (order, ends) = (self.chain.order(), &at.mesh.boundaries);
-        let nodes = self.nodes(&at.values).chunks_exact(self.fields()).enumerate();
+        let nodes = self.above_ground(at);
         // a node inside of an element is taken to be as high as the left end of that
-        nodes.map(move |(k, node)| self.distance(ends[k / order], node))
+        let distance = |(k, node): (usize, &[f64])| self.distance(ends[k / order], node);
+        nodes.chunks_exact(self.fields()).enumerate().map(distance).collect()
     }
 
     /// Whether all of the beam is above what it cannot pass, between its nodes as well.
@@ -275,7 +289,7 @@ impl PlanarBeam {
             })
     }
 
-    /// Distance of a section with these fields from the substrate, nm, of the height that sections have at `place`.
+    /// Distance of a section with these fields, x in place of u, from the substrate, nm, of the height that sections have at `place`.
     fn distance(&self, place: f64, fields: &[f64]) -> f64 {
         let full = self.height_at(place);
         let half = if self.sees_tilt { 0.5 * full } else { 0.0 };
@@ -391,13 +405,14 @@ impl PlanarBeam {
         }
     }
 
-    /// An equilibrium of the same beam with x at every node, `of`, as one of this beam, which has condensed that.
+    /// An equilibrium of the same beam with u at every node, `of`, as one of this beam, which has condensed that.
     pub(crate) fn without_x(&self, at: &State, of: &Self) -> State {
         let mut values: Vec<f64> = at.values.chunks_exact(of.fields()).flat_map(|node| &node[1..]).copied().collect();
         if self.chain.has_border() {
-            let x = |node: usize| at.values[node * of.fields()];
+            let along = |node: usize| at.values[node * of.fields()];
             let last = at.values.len() / of.fields() - 1;
-            values.extend([of.grip_forces(at).horizontal, x(last) - x(0) - self.span()]);
+            let apart = self.length - self.span() + along(last) - along(0);
+            values.extend([of.grip_forces(at).horizontal, apart]);
         }
         State { values, ..at.clone() }
     }

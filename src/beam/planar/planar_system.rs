@@ -156,24 +156,12 @@ impl System for PlanarBeam {
     }
 
     fn size(&self, direction: &[f64], at: &State) -> f64 {
-        let (direction, values) = (self.nodes(direction), self.nodes(&at.values));
+        let (direction, values) = (self.nodes(direction), &*self.above_ground(at));
         if self.fields() == 2 { self.largest::<2>(direction, values) } else { self.largest::<3>(direction, values) }
     }
 
-    /// S, for the place along the ground of a beam that is held there.
-    fn counted_from(&self, at: &State) -> Option<Vec<f64>> {
-        self.slip_reach.map(|_| {
-            let mut from = vec![0.0; at.values.len()];
-            let fields = self.fields();
-            from.chunks_exact_mut(fields)
-                .zip(self.places(&at.mesh.boundaries))
-                .for_each(|(node, place)| node[0] = place);
-            from
-        })
-    }
-
     fn per_unit(&self, at: &State) -> Vec<f64> {
-        let (rotation, nodes) = (self.rotation, self.nodes(&at.values));
+        let (rotation, nodes) = (self.rotation, self.above_ground(at));
         let mut units = vec![1.0 / self.scale[rotation]; at.values.len()];
         units[nodes.len()..].fill(0.0);
         for (units, s) in units.chunks_exact_mut(self.fields()).zip(nodes.chunks_exact(self.fields())) {
@@ -340,7 +328,7 @@ fn largest<const F: usize>(
     let per_rotation = 1.0 / rotation_unit;
     let (mut heights, mut turns, mut sums) = ([0.0f64; LANES], [0.0f64; LANES], [0.0; LANES]);
     let mut take = |l: usize, u: &[f64; F], s: &[f64; F]| {
-        // x, where it is an unknown, is measured like the height
+        // u, where it is an unknown, is measured like the height
         let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
         let (size, turn) = (height / height_unit(s), u[rotation].abs() * per_rotation);
         heights[l] = if size > heights[l] { size } else { heights[l] };

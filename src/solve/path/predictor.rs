@@ -8,7 +8,6 @@ use crate::number::root::Bracket;
 use crate::solve::newton::Solution;
 use crate::solve::problem::Problem;
 use crate::solve::state::{MONITORS, State, weighted_sum};
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The most points an extrapolation uses.
@@ -53,26 +52,13 @@ fn on_mesh_of(
     weights: &[f64],
     (monitors, follows): ([f64; MONITORS], Vec<f64>),
 ) -> State {
-    let counted: Vec<Cow<[f64]>> = points.iter().map(|point| counted(problem, point.aligned(problem))).collect();
-    let states: Vec<&[f64]> = counted.iter().map(|values| &**values).collect();
+    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
     let force = points.iter().zip(weights).fold(0.0, |sum, (point, &weight)| sum + weight * point.at.force);
-    let mut at = State {
+    State {
         mesh: problem.system.mesh_for(monitors, &follows, &points[0].at.mesh),
         values: problem.system.combine(&states, weights),
         force,
         history: points[0].at.history.clone(),
-    };
-    if let Some(from) = problem.system.counted_from(&at) {
-        at.values.iter_mut().zip(from).for_each(|(value, from)| *value += from);
-    }
-    at
-}
-
-/// The unknowns as they are extrapolated: from what they are counted from.
-fn counted<'a>(problem: &Problem, at: &'a State) -> Cow<'a, [f64]> {
-    match problem.system.counted_from(at) {
-        None => Cow::Borrowed(&*at.values),
-        Some(from) => at.values.iter().zip(from).map(|(value, from)| value - from).collect(),
     }
 }
 
@@ -87,10 +73,9 @@ pub(crate) fn errors(
 ) -> Vec<f64> {
     let force_scale = solution.at.force.abs() + problem.measure.force;
     let aligned = solution.aligned(problem);
-    let reached = &*counted(problem, aligned);
+    let reached = &*aligned.values;
     let per_unit = problem.system.per_unit(aligned);
-    let counted: Vec<Cow<[f64]>> = points.iter().map(|point| counted(problem, point.aligned(problem))).collect();
-    let states: Vec<&[f64]> = counted.iter().map(|values| &**values).collect();
+    let states: Vec<&[f64]> = points.iter().map(|point| &*point.aligned(problem).values).collect();
     let mut update = Vec::with_capacity(reached.len());
     (1..=points.len())
         .map(|count| {

@@ -101,8 +101,11 @@ fn guess(beam: &PlanarBeam, ground: &Ground, elements: usize) -> State {
             *axis = kept_off(ground, *axis, half(place), beam.rest_gap);
         }
     }
-    let values =
-        axes.iter().zip(&places).flat_map(|(&[x, y, rotation], &place)| [x, y - half(place), rotation]).collect();
+    let values = axes
+        .iter()
+        .zip(&places)
+        .flat_map(|(&[x, y, rotation], &place)| [x - place, y - half(place), rotation])
+        .collect();
     let focus = beam.fronts.near(beam.rest_front);
     State { mesh: Mesh { boundaries, focus, ..Mesh::default() }, values, ..State::default() }
 }

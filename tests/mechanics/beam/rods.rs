@@ -57,7 +57,9 @@ fn the_density_is_the_stored_energy_of_a_curved_rod() {
             let rest = k0 + k1 * place + k2 * place * place;
             let (energy, gradient, tangent) =
                 hessian(|v: SVector<Dual2SVec64<4>, 4>| stored_energy(&section, v[0], v[1], v[2], v[3] - rest), &at);
-            let r = density.response(place, [5.0, -7.0, at[0]], [at[1], at[2], at[3]], 0.0);
+            // of the fields, of which the first is x - S
+            let slope = [at[1] - 1.0, at[2], at[3]];
+            let r = density.response(place, [5.0, -7.0, at[0]], slope, 0.0);
             let size = section.axial + section.shear + section.bending;
             let close = |computed: f64, expected: f64| {
                 let fine = (computed - expected).abs() <= 1e-9 * size;
@@ -75,7 +77,7 @@ fn the_density_is_the_stored_energy_of_a_curved_rod() {
                 }
             }
             // the section, from slopes and back from forces
-            let point = Point { place, value: [0.0, 0.0, at[0]], slope: [at[1], at[2], at[3]], ..Point::zero() };
+            let point = Point { place, value: [0.0, 0.0, at[0]], slope, ..Point::zero() };
             let state = density.section_state(&point, 0.0);
             let forces = [state.horizontal_force, state.vertical_force, state.moment];
             let back = density.section_state_from_forces(place, [0.0, 0.0, at[0]], forces, 0.0);

@@ -41,7 +41,7 @@ fn tangents_are_differences() {
     {
         let ground = GroundLaw { law: strip.line_law(), substrate: substrate.clone() };
         let beam = BeamOnGround { profile: Profile::uniform(strip.section(), 1.0, 10.0), ground, friction: None };
-        let slopes = [0.97, 0.2, 0.01];
+        let slopes = [-0.03, 0.2, 0.01];
         for (x, gap, rotation) in [(17.3, 0.26, 0.1), (22.0, 0.3, -0.2), (33.3, 0.5, 0.7), (28.1, 2.0, -1.2)] {
             let value = [x, substrate.above(x, 5.0 + gap) - 5.0, rotation];
             let at = |value: [f64; 3]| beam.response(0.0, value, slopes, 0.0);

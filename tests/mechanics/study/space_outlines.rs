@@ -106,7 +106,7 @@ fn lifted(plane: &BeamProblem, at: &State) -> State {
     let beam = plane.beam.planar().unwrap();
     let (mut values, fields) = (Vec::new(), beam.nodes(&at.values));
     for (place, node) in beam.places(&at.mesh.boundaries).iter().zip(fields.chunks_exact(3)) {
-        values.extend([node[0], node[1] + 0.5 * beam.height_at(*place), 0.0]);
+        values.extend([place + node[0], node[1] + 0.5 * beam.height_at(*place), 0.0]);
         values.extend(turned([node[2], 0.0, 0.0], ALONG_X));
     }
     values.extend([fields[2], 0.0, 0.0, fields[fields.len() - 1], 0.0, 0.0]);
@@ -122,7 +122,8 @@ fn planar_states_of_the_spatula_are_equilibria_in_space() {
     let (mut farthest, mut unstable) = (0.0f64, 0);
     for index in 0..100 {
         let point = path.advance().unwrap();
-        if index % 20 > 0 {
+        // none of them next to a displacement limit point, where a displacement does not say which equilibrium it is
+        if index % 25 > 0 {
             continue;
         }
         let wanted = point.observables;

@@ -34,8 +34,8 @@ fn let_go(viscosity: Viscosity, along: bool, velocity: impl Fn(f64) -> [f64; 2],
     let beam = rod.in_time(order, BeamInertia::uniform(MASS, 1e-7, viscosity)).unwrap();
     let at = beam.statics.initial(elements);
     let mut start = vec![0.0; at.values.len()];
-    for (node, own) in start.chunks_exact_mut(3).enumerate() {
-        let s = at.values[3 * node];
+    let places = beam.statics.beam.planar().unwrap().places(&at.mesh.boundaries);
+    for (s, own) in places.into_iter().zip(start.chunks_exact_mut(3)) {
         let [vx, vy] = velocity(s);
         // the section stays normal to the axis
         let slope = (velocity(s + 1e-5)[1] - velocity(s - 1e-5)[1]) / 2e-5;

@@ -192,8 +192,8 @@ fn at_start(model: &PeelModel, places: [f64; 3]) -> [Result<f64, String>; 6] {
     ends.extend((places[2] < beam.length).then_some(beam.length));
     let coarse = beam.chain.resampled(beam.configuration(at), &ends);
     let node = |k: usize| {
-        let [x, gap] = [coarse[3 * ORDER * k], coarse[3 * ORDER * k + 1]];
-        (x, gap + 0.5 * beam.height_at(ends[k]))
+        let [along, gap] = [coarse[3 * ORDER * k], coarse[3 * ORDER * k + 1]];
+        (ends[k] + along, gap + 0.5 * beam.height_at(ends[k]))
     };
     let gap = |k: usize| {
         let (x, y) = node(k);

@@ -1,13 +1,13 @@
 //! The three-field Reissner beam on ground of any shape.
 
-use super::reissner::{ReissnerBeam, stored};
+use super::reissner::{ReissnerBeam, of_axis, stored};
 use crate::adhesion::friction::dahl::{FrictionLaw, FrictionState};
 use crate::adhesion::substrate_response::GroundLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, PointResponse, SectionState, StepEnd};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: x (nm), y - h/2 of the
+/// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: u = x - S (nm), y - h/2 of the
 /// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`crate::beam::ReissnerBeam`].
 #[derive(Clone, Debug)]
 pub struct BeamOnGround {
@@ -22,11 +22,11 @@ pub struct BeamOnGround {
 impl BeamOnGround {
     /// Place along the ground and gap of the face below the axis, with half the height times the sine and the cosine of its rotation:
     /// x_b = x + (h/2) sin θ,  d = y - (h/2) cos θ.
-    fn face<T: Real>(&self, height: T, [x, gap, rotation]: [T; 3]) -> ([T; 2], [T; 2]) {
+    fn face<T: Real>(&self, place: T, height: T, [along, gap, rotation]: [T; 3]) -> ([T; 2], [T; 2]) {
         let half = height * 0.5;
         let (sin, cos) = rotation.sin_cos();
         let lever = [half * sin, half * cos];
-        ([x + lever[0], gap + (half - lever[1])], lever)
+        ([place + along + lever[0], gap + (half - lever[1])], lever)
     }
 }
 
@@ -38,16 +38,15 @@ impl EnergyDensity<3> for BeamOnGround {
     fn response<T: Real>(
         &self,
         place: T,
-        [x, gap, rotation]: [T; 3],
-        [dx, gap_slope, turn]: [T; 3],
+        [along, gap, rotation]: [T; 3],
+        slope: [T; 3],
         _: f64,
     ) -> PointResponse<T, 3> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
-        let adhesion = self.ground.response(station.height, [x, gap], [sin, cos]);
+        let adhesion = self.ground.response(station.height, [place + along, gap], [sin, cos]);
         let b = station.width;
-        let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station, rotation, slopes);
+        let mut response = stored(&station, rotation, of_axis(slope, station.rise));
         response.adhesion = adhesion.energy * b;
         response.energy = response.energy + response.adhesion;
         for f in 0..3 {
@@ -70,7 +69,7 @@ impl EnergyDensity<3> for BeamOnGround {
         let &Point { place, value, memory: [from, mobilisation, ..], .. } = point;
         let Some(friction) = &self.friction else { return };
         let station = self.profile.at(place);
-        let ([x, gap], [sine, cosine]) = self.face(station.height, value);
+        let ([x, gap], [sine, cosine]) = self.face(place, station.height, value);
         let traction = friction.traction(x - from, gap, mobilisation);
         let b = station.width;
         let (force, by_place, by_gap) = (traction.value * b, traction.by_place * b, traction.by_gap * b);
@@ -91,7 +90,7 @@ impl EnergyDensity<3> for BeamOnGround {
         let Some(friction) = &self.friction else { return 0.0 };
         let before = FrictionState { place: known[0], mobilisation: known[1], limit: known[2] };
         let station = self.profile.at(place);
-        let ([x, gap], _) = self.face(station.height, value);
+        let ([x, gap], _) = self.face(place, station.height, value);
         let (slip, dissipated) = friction.remembered(x, gap, before);
         known.copy_from_slice(&[slip.place, slip.mobilisation, slip.limit]);
         station.width * dissipated

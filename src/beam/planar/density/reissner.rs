@@ -1,5 +1,6 @@
-//! Reissner's geometrically exact planar beam, three unknowns a node: x, gap, rotation.
+//! Reissner's geometrically exact planar beam, three unknowns a node: u, gap, rotation.
 //!
+//! u = x - S is the displacement along the ground: where the beam adheres it is small, however long the beam, and so is its rounding.
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, or w(Γ1) of another [`StretchLaw`] in place of the first, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
@@ -12,8 +13,8 @@ use crate::beam::section::{Section, SectionAt};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The three-field form of the planar Reissner beam on a flat half space. Fields: x (nm), gap η = y - h/2 (nm), rotation
-/// θ. It has no border.
+/// The three-field form of the planar Reissner beam on a flat half space. Fields: u = x - S (nm), gap η = y - h/2 (nm),
+/// rotation θ. It has no border.
 #[derive(Clone, Debug)]
 pub struct ReissnerBeam {
     /// The beam from place to place
@@ -30,6 +31,12 @@ pub(super) const COUPLING: Coupling<3> = Coupling {
     value_slope: [[false; 3], [false; 3], [true, true, false]],
     slope_slope: [[true, true, false], [true, true, false], [false, false, true]],
 };
+
+/// The slopes x', y' and θ' where u, the height field and θ have these, and the axis rises faster than that field by `rise`.
+#[inline(always)]
+pub(super) fn of_axis<T: Real>([along, up, turn]: [T; 3], rise: T) -> [T; 3] {
+    [along + 1.0, up + rise, turn]
+}
 
 /// The stored energy at one point and its derivatives, for a rotation θ and the slopes x', y', θ'.
 #[inline(always)]
@@ -107,19 +114,12 @@ impl EnergyDensity<3> for ReissnerBeam {
     const COUPLING: Coupling<3> = COUPLING;
 
     #[inline(always)]
-    fn response<T: Real>(
-        &self,
-        place: T,
-        [_, gap, rotation]: [T; 3],
-        [dx, gap_slope, turn]: [T; 3],
-        _: f64,
-    ) -> PointResponse<T, 3> {
+    fn response<T: Real>(&self, place: T, [_, gap, rotation]: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let (sin, cos) = rotation.sin_cos();
         let station = self.profile.at(place);
         let adhesion = self.law.response_of(station.height, gap, sin, cos);
         let b = station.width;
-        let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station, rotation, slopes);
+        let mut response = stored(&station, rotation, of_axis(slope, station.rise));
         response.adhesion = adhesion.energy * b;
         response.energy = response.energy + response.adhesion;
         response.by_value[1] = adhesion.by_gap * b;
@@ -175,10 +175,10 @@ pub(super) fn section_of(response: &PointResponse<f64, 3>, [dx, dy, turn]: [f64;
 }
 
 impl Profile {
-    /// The section at S, turned by θ, under the slopes x', η' of the gap below it, and θ'.
-    pub(super) fn section_state(&self, place: f64, rotation: f64, [dx, gap_slope, turn]: [f64; 3]) -> SectionState {
+    /// The section at S, turned by θ, under the slopes u', η' of the gap below it, and θ'.
+    pub(super) fn section_state(&self, place: f64, rotation: f64, slope: [f64; 3]) -> SectionState {
         let station = self.at(place);
-        let slopes = [dx, gap_slope + station.rise, turn];
+        let slopes = of_axis(slope, station.rise);
         section_of(&stored(&station, rotation, slopes), slopes)
     }
 
@@ -191,7 +191,7 @@ impl Profile {
 
 // -- Reissner's beam on its own: nothing adheres, and it may be curved at rest --
 
-/// A planar Reissner beam that is stress-free along a given curve. Fields: x, y (nm), rotation θ. It has no border.
+/// A planar Reissner beam that is stress-free along a given curve. Fields: u = x - S, y (nm), rotation θ. It has no border.
 ///
 /// Γ1 and Γ2 as in [`crate::beam::ReissnerBeam`], the change of curvature θ' - κ0(S); stored energy per length
 /// ½EA Γ1² + ½GA_s Γ2² + ½EI (θ' - κ0)².
@@ -210,11 +210,11 @@ impl EnergyDensity<3> for ReissnerRod {
     fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let [k0, k1, k2] = self.rest.curvature;
         let known = [T::splat(0.0), T::splat(0.0), place * (place * k2 + k1) + k0];
-        stored_from(&self.section.splat(), StretchLaw::Linear, value[2], slope, known)
+        stored_from(&self.section.splat(), StretchLaw::Linear, value[2], of_axis(slope, T::splat(0.0)), known)
     }
 
     fn section_state(&self, &Point { place, value, slope, .. }: &Point<f64, 3>, _: f64) -> SectionState {
-        section_of(&self.response(place, value, slope, 0.0), slope)
+        section_of(&self.response(place, value, slope, 0.0), of_axis(slope, 0.0))
     }
 
     fn section_state_from_forces(&self, place: f64, value: [f64; 3], forces: [f64; 3], _: f64) -> SectionState {

@@ -1,6 +1,6 @@
 //! The three-field Reissner beam on level ground, to which it is bonded along the ground as well, or off which it does not heal.
 
-use super::reissner::{ReissnerBeam, stored};
+use super::reissner::{ReissnerBeam, of_axis, stored};
 use crate::adhesion::section::calibrated::Cohesive;
 use crate::adhesion::section::line_load::LineLaw;
 use crate::adhesion::section::sheared::{Farthest, ShearedLaw, ShearedResponse};
@@ -10,8 +10,8 @@ use crate::beam::element::energy_density::{
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: x (nm), gap
-/// η = y - h/2 (nm), rotation θ. It has no border. At rest x = S. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
+/// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: u = x - S (nm), gap
+/// η = y - h/2 (nm), rotation θ. It has no border. At rest u = 0. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
 /// [`Point::memory`] has how far its face has been.
 #[derive(Clone, Debug)]
 pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
@@ -28,28 +28,27 @@ pub(crate) struct ShearedBeam<const REMEMBERS: bool> {
 impl<const REMEMBERS: bool> ShearedBeam<REMEMBERS> {
     fn adhesion<T: Real>(
         &self,
-        place: T,
-        [x, gap, rotation]: [T; 3],
+        [along, gap, rotation]: [T; 3],
         height: T,
         [distance, slip]: [T; 2],
     ) -> ShearedResponse<T> {
         let (sin, cos) = rotation.sin_cos();
-        self.sheared.response_after(height, [x - place, gap], [sin, cos], Farthest { distance, slip })
+        self.sheared.response_after(height, [along, gap], [sin, cos], Farthest { distance, slip })
     }
 
     /// Turns what its face remembered into what it does, with the energy: see [`EnergyDensity::remember`].
     fn remember_face(&self, place: f64, value: [f64; 3], known: &mut [f64; FACE]) -> f64 {
         let [known_distance, known_slip, distance, slip] = *known;
         let station = self.profile.at(place);
-        let [x, gap, rotation] = value;
-        let farthest = self.sheared.farthest(station.height, [x - place, gap], rotation, Farthest { distance, slip });
+        let [along, gap, rotation] = value;
+        let farthest = self.sheared.farthest(station.height, [along, gap], rotation, Farthest { distance, slip });
         *known = [known_distance, known_slip, farthest.distance, farthest.slip];
         // what is as far as ever has its law, and so has what goes by as far as it has been
         let is_out = farthest.distance > distance && (farthest.slip > slip || self.sheared.is_sliding());
         if is_out || farthest.distance == known_distance && farthest.slip == known_slip {
             return 0.0;
         }
-        let energy = |farthest: [f64; 2]| self.adhesion(place, value, station.height, farthest).energy;
+        let energy = |farthest: [f64; 2]| self.adhesion(value, station.height, farthest).energy;
         station.width * (energy([farthest.distance, farthest.slip]) - energy([known_distance, known_slip]))
     }
 }
@@ -74,13 +73,12 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
         Coupling { value_value: [[true; 3]; 3], ..<ReissnerBeam as EnergyDensity<3>>::COUPLING };
 
     #[inline(always)]
-    fn response<T: Real>(&self, place: T, value: [T; 3], [dx, gap_slope, turn]: [T; 3], _: f64) -> PointResponse<T, 3> {
+    fn response<T: Real>(&self, place: T, value: [T; 3], slope: [T; 3], _: f64) -> PointResponse<T, 3> {
         let station = self.profile.at(place);
-        let slopes = [dx, gap_slope + station.rise, turn];
-        let mut response = stored(&station, value[2], slopes);
+        let mut response = stored(&station, value[2], of_axis(slope, station.rise));
         if !REMEMBERS {
             let nowhere = [T::splat(0.0); 2];
-            add(&mut response, &self.adhesion(place, value, station.height, nowhere), station.width);
+            add(&mut response, &self.adhesion(value, station.height, nowhere), station.width);
         }
         response
     }
@@ -95,7 +93,7 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     ) {
         let station = self.profile.at(place);
         let [distance, slip, ..] = memory;
-        add(response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
+        add(response, &self.adhesion(value, station.height, [distance, slip]), station.width);
     }
 
     /// How far the face has been at most: up to where it began to close, by which its law goes, and up to now. The energy is what the law by which
@@ -128,7 +126,7 @@ impl<const REMEMBERS: bool> EnergyDensity<3> for ShearedBeam<REMEMBERS> {
     ) -> PointResponse<f64, 3> {
         let station = self.profile.at(place);
         let mut response = PointResponse::zero();
-        add(&mut response, &self.adhesion(place, value, station.height, [distance, slip]), station.width);
+        add(&mut response, &self.adhesion(value, station.height, [distance, slip]), station.width);
         response
     }
 

@@ -8,7 +8,7 @@
 //! an energy of the step. So its tangent is symmetric. The same holds with another factor f for a spring and a dashpot in series.
 //! Source: M. Ortiz, L. Stainier, The variational formulation of viscoplastic constitutive updates, Comput. Methods Appl. Mech. Eng. 171 (1999).
 
-use super::reissner::{ReissnerBeam, ReissnerRod, stored_from};
+use super::reissner::{ReissnerBeam, ReissnerRod, of_axis, stored_from};
 use crate::adhesion::section::line_load::RateLaw;
 use crate::beam::element::energy_density::{Coupling, EnergyDensity, MEMORY, Point, PointResponse, SectionState};
 use crate::beam::material::stretch_law::StretchLaw;
@@ -90,12 +90,11 @@ impl<D: ElasticSections> EnergyDensity<3> for Viscous<D> {
 
     #[inline(always)]
     fn add_remembered<T: Real>(&self, point: &Point<T, 3>, response: &mut PointResponse<T, 3>) {
-        let &Point { place, value, slope: [dx, dy, turn], memory } = point;
+        let &Point { place, value, slope, memory } = point;
         let [stretch, slide, bend, factor, distance, per_time, ..] = memory;
         let (Section { axial, shear, bending }, rise) = self.density.stiffness_at(place);
         let section = Section { axial: axial * factor, shear: shear * factor, bending: bending * factor };
-        let viscous =
-            stored_from(&section, StretchLaw::Linear, value[2], [dx, dy + rise, turn], [stretch, slide, bend]);
+        let viscous = stored_from(&section, StretchLaw::Linear, value[2], of_axis(slope, rise), [stretch, slide, bend]);
         response.energy = response.energy + viscous.energy;
         for f in 0..3 {
             response.by_value[f] = response.by_value[f] + viscous.by_value[f];

@@ -40,6 +40,16 @@ pub(super) fn energy<N: Nodes, const F: usize>(
     chain.sum_energy(N::of_order(chain.basis.order), at, direction)
 }
 
+/// The fields of a section at S with x in place of u, where that is one of them.
+fn in_place<const F: usize>(place: f64, fields: [f64; F]) -> [f64; MOST_FIELDS] {
+    let mut all = [0.0; MOST_FIELDS];
+    all[..F].copy_from_slice(&fields);
+    if F == MOST_FIELDS {
+        all[0] += place;
+    }
+    all
+}
+
 impl<const F: usize> UniformChain<F> {
     #[inline(always)]
     fn sum_energy(&self, nodes: impl Nodes, at: Configuration, direction: &[f64]) -> (ElementEnergy, f64) {
@@ -137,15 +147,14 @@ impl<const F: usize> UniformChain<F> {
                 let mut section =
                     self.density.section_state_from_forces(position, values[slot], forces, at.axial_multiplier);
                 if self.density.yields() {
-                    let slopes = slopes[slot].map(|slope| slope * element.stretch());
+                    let mut slopes = slopes[slot].map(|slope| slope * element.stretch());
+                    slopes[0] += 1.0;
                     (section.horizontal_slope, section.vertical_slope) = (slopes[0], slopes[1]);
                     section.curvature = slopes[F - 1];
                 }
                 let memory = memory_of(at.history, position);
                 let adhesion = self.density.adhesion_at(position, values[slot], memory, at.axial_multiplier);
-                let mut all = [0.0; MOST_FIELDS];
-                all[..F].copy_from_slice(&values[slot]);
-                states.push(NodeState { position, values: all, section, adhesion });
+                states.push(NodeState { position, values: in_place(position, values[slot]), section, adhesion });
             };
             if e == elements.start {
                 node(order - 1, at.ends[e], -1.0);
@@ -167,11 +176,12 @@ impl<const F: usize> UniformChain<F> {
         let values = self.gather(self.nodes(), at.state, element);
         let value = combine(self.nodes(), &values, &shape);
         let slope = combine(self.nodes(), &values, &shape_slope.map(|slope| slope * (2.0 / length)));
-        let mut all = [0.0; MOST_FIELDS];
-        all[..F].copy_from_slice(&value);
         let place = at.ends[element] + 0.5 * (1.0 + local) * length;
         let memory = memory_of(at.history, place);
-        (all, self.density.section_state(&Point { place, value, slope, memory }, at.axial_multiplier))
+        (
+            in_place(place, value),
+            self.density.section_state(&Point { place, value, slope, memory }, at.axial_multiplier),
+        )
     }
 
     /// [`super::Chain::updated_history`]

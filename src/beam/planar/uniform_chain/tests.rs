@@ -285,7 +285,7 @@ fn a_beam() {
             for node in 0..=6 * order {
                 let e = (node / order).min(5);
                 let s = 5.0 * (e as f64 + chain.node_fraction(node - e * order));
-                state.extend([s + 1e-4 * numbers.next(), 0.255 + 1e-5 * s * s, 2e-5 * s]);
+                state.extend([1e-4 * numbers.next(), 0.255 + 1e-5 * s * s, 2e-5 * s]);
             }
             // it has stuck where it lay
             let history = rubs.then(|| History::even(30.0, 1.0, |s| [s, 0.0, 0.05]));

@@ -31,7 +31,7 @@ fn planar(bending: f64) -> Vec<[f64; 3]> {
     };
     let problem = model.problem(8).unwrap();
     let found = controlled(&problem, problem.initial(12), Observables::FORCE, &LOADS, 1e-13).unwrap();
-    let tip = |values: &[f64]| [values[values.len() - 3], values[values.len() - 2], values[values.len() - 1]];
+    let tip = |values: &[f64]| [1.0 + values[values.len() - 3], values[values.len() - 2], values[values.len() - 1]];
     found.iter().map(|solution| tip(problem.beam.planar().unwrap().nodes(&solution.at.values))).collect()
 }
 

@@ -2,7 +2,7 @@
 
 use crate::figures::figure::{Figure, Table};
 use crate::suite::beam::arch::{CURVE, half_arch, rows_of, snapped};
-use crate::suite::beam::rods::{DISPLACEMENT, cantilever, under_control};
+use crate::suite::beam::rods::{DISPLACEMENT, cantilever, nodes, under_control};
 use peelkit::model::Drive;
 use peelkit::solve::Solution;
 use peelkit_report::ReportError;
@@ -42,11 +42,12 @@ fn rolled(table: &mut Table) -> Result<Panel, String> {
     let mut panel = Panel::new(frame, Axis::linear("x / L", from, to), Axis::linear("y / L", -0.1, high - 0.1));
     panel.title = "Rolled up by an end moment".into();
     let turns = CIRCLES.map(|circles| circles * TAU);
-    let found = under_control(&cantilever(1e4, 4e3, Drive::Rotation), 7, 16, DISPLACEMENT, &turns)?;
+    let rod = cantilever(1e4, 4e3, Drive::Rotation);
+    let found = under_control(&rod, 7, 16, DISPLACEMENT, &turns)?;
     for (i, (solution, turn)) in found.iter().zip(turns).enumerate() {
         let name = format!("{} circle{}", CIRCLES[i], if CIRCLES[i] > 1.0 { "s" } else { "" });
         let shade = order_shade(i, CIRCLES.len());
-        let points: Vec<(f64, f64)> = solution.at.values.chunks_exact(3).map(|n| (n[0], n[1])).collect();
+        let points = nodes(&rod, 7, solution)?;
         record(table, &name, &points, "computed");
         let circle: Vec<(f64, f64)> = (1..=12)
             .map(|k| turn * f64::from(k) / 12.0)

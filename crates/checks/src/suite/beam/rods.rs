@@ -39,8 +39,16 @@ pub(crate) fn under_control(
 /// Tolerance of every solution.
 pub(super) const TOLERANCE: f64 = 1e-13;
 
-/// x, y and θ of the right end.
+/// x, y and θ of the right end of a rod of length 1.
 pub(super) fn tip(solution: &Solution) -> [f64; 3] {
-    let state = &solution.at.values;
-    std::array::from_fn(|f| state[state.len() - 3 + f])
+    let [.., along, y, rotation] = solution.at.values[..] else { panic!("a node has three fields") };
+    [1.0 + along, y, rotation]
+}
+
+/// x and y of every node of an equilibrium, on elements of this order.
+pub(crate) fn nodes(model: &RodModel, order: usize, solution: &Solution) -> Result<Vec<(f64, f64)>, String> {
+    let problem = problem(model, order)?;
+    let beam = problem.beam.planar().ok_or("a rod lies in the plane")?;
+    let fields = solution.at.values.chunks_exact(3);
+    Ok(fields.zip(beam.places(&solution.at.mesh.boundaries)).map(|(node, s)| (s + node[0], node[1])).collect())
 }
