@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(written("N,N/25mm"), (2.0, "N", 2.5));
         assert_eq!(written("auto"), (2.0, "N", 100.0));
         // 9.80665 m/s² for a gram
-        assert_eq!(Unit { ..PEEL_ADHESIONS[1] }.of(9.80665), 10.0);
+        assert_eq!(PEEL_ADHESIONS[1].of(9.80665), 10.0);
     }
 
     #[test]

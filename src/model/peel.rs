@@ -245,7 +245,7 @@ pub enum Form {
     /// y and θ; x is minimised out, the horizontal force is one number. Exact on a flat substrate without friction.
     #[default]
     TwoField,
-    /// u = x - S, y and θ.
+    /// ξ = x - S, y and θ.
     ThreeField,
 }
 

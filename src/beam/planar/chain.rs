@@ -18,7 +18,7 @@ pub const ROOT: usize = MOST_FIELDS + 2;
 pub struct Configuration<'a> {
     /// Reference coordinates S of the ends of the elements, nm; one more than there are elements.
     pub ends: &'a [f64],
-    /// Fields node by node from left to right: of three the first is u = x - S, nm.
+    /// Fields node by node from left to right: of three the first is ξ = x - S, nm.
     pub state: &'a [f64],
     /// The horizontal force H where it is one unknown of the whole chain, nN; zero elsewhere
     pub axial_multiplier: f64,
@@ -98,7 +98,7 @@ pub struct ChainFactors {
 pub struct NodeState {
     /// S, nm
     pub position: f64,
-    /// Fields at the node, x in place of u, nm and rad.
+    /// Fields at the node, x in place of ξ, nm and rad.
     pub values: [f64; MOST_FIELDS],
     /// Section forces and stretch there.
     pub section: SectionState,
@@ -174,7 +174,7 @@ pub trait Chain: Send + Sync {
     /// integral of the energy that
     /// [`EnergyDensity::remember`](crate::beam::element::energy_density::EnergyDensity::remember) gives, aJ; nothing where nothing remembers.
     fn updated_history(&self, at: Configuration, before: f64) -> Option<(History, f64)>;
-    /// Fields at the local coordinate `local` in [-1, 1] of element `element`, x in place of u, and the section state there.
+    /// Fields at the local coordinate `local` in [-1, 1] of element `element`, x in place of ξ, and the section state there.
     fn sample(&self, at: Configuration, element: usize, local: f64) -> ([f64; MOST_FIELDS], SectionState);
     /// The state on element ends that lie a little beside its own: each node's value moved along its element's polynomial,
     /// to second order in the move.

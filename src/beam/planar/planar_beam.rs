@@ -27,14 +27,14 @@ pub const TIP_ROTATION: usize = 1;
 
 /// A chain with its reference configuration and the scales of its adhesion.
 ///
-/// Unknowns: the fields of the nodes from left to right, y and θ, or u = x - S, y and θ; behind them, where x is condensed and a horizontal force
+/// Unknowns: the fields of the nodes from left to right, y and θ, or ξ = x - S, y and θ; behind them, where x is condensed and a horizontal force
 /// acts, that force H and the place of the right end along x. The interface is the right end.
 pub struct PlanarBeam {
     /// Its elements
     pub chain: Box<dyn Chain>,
     /// Reference length L, nm
     pub length: f64,
-    /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves u out.
+    /// x, height and rotation in the stress-free configuration; a chain of two fields a node leaves ξ out.
     pub rest: ReferenceConfiguration,
     /// The height field at the left end at rest, nm.
     pub rest_gap: f64,
@@ -214,7 +214,7 @@ impl PlanarBeam {
         self.front(self.chain.energy(self.configuration(at), self.nodes(&at.values)).0.coverage)
     }
 
-    /// The fields of the nodes, x in place of u where the ground is not the same everywhere.
+    /// The fields of the nodes, x in place of ξ where the ground is not the same everywhere.
     pub(super) fn above_ground<'a>(&self, at: &'a State) -> Cow<'a, [f64]> {
         let nodes = self.nodes(&at.values);
         if self.substrate.is_flat() {
@@ -289,7 +289,7 @@ impl PlanarBeam {
             })
     }
 
-    /// Distance of a section with these fields, x in place of u, from the substrate, nm, of the height that sections have at `place`.
+    /// Distance of a section with these fields, x in place of ξ, from the substrate, nm, of the height that sections have at `place`.
     fn distance(&self, place: f64, fields: &[f64]) -> f64 {
         let full = self.height_at(place);
         let half = if self.sees_tilt { 0.5 * full } else { 0.0 };
@@ -405,7 +405,7 @@ impl PlanarBeam {
         }
     }
 
-    /// An equilibrium of the same beam with u at every node, `of`, as one of this beam, which has condensed that.
+    /// An equilibrium of the same beam with ξ at every node, `of`, as one of this beam, which has condensed that.
     pub(crate) fn without_x(&self, at: &State, of: &Self) -> State {
         let mut values: Vec<f64> = at.values.chunks_exact(of.fields()).flat_map(|node| &node[1..]).copied().collect();
         if self.chain.has_border() {

@@ -328,7 +328,7 @@ fn largest<const F: usize>(
     let per_rotation = 1.0 / rotation_unit;
     let (mut heights, mut turns, mut sums) = ([0.0f64; LANES], [0.0f64; LANES], [0.0; LANES]);
     let mut take = |l: usize, u: &[f64; F], s: &[f64; F]| {
-        // u, where it is an unknown, is measured like the height
+        // ξ, where it is an unknown, is measured like the height
         let height = if up > 0 { u[0].abs().max(u[up].abs()) } else { u[up].abs() };
         let (size, turn) = (height / height_unit(s), u[rotation].abs() * per_rotation);
         heights[l] = if size > heights[l] { size } else { heights[l] };

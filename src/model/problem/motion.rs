@@ -100,7 +100,7 @@ fn planar(statics: BeamProblem) -> MovingBeam {
 }
 
 impl PeelModel {
-    /// A strip or a spatula on flat ground, without friction, as it moves in time: with u = x - S, y and θ at each node and a fixed mesh, with elements
+    /// A strip or a spatula on flat ground, without friction, as it moves in time: with ξ = x - S, y and θ at each node and a fixed mesh, with elements
     /// everywhere that are no longer than the process zone where there are enough of them. Its free end keeps its place along the substrate.
     ///
     /// # Errors

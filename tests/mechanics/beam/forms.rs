@@ -1,6 +1,6 @@
 //! The two-field form of the beam, with x' minimised out, against the three-field form that keeps it.
 //!
-//! Reference: Reissner's beam as it is, unknowns u = x - S, y and θ at each node.
+//! Reference: Reissner's beam as it is, unknowns ξ = x - S, y and θ at each node.
 //!
 //!      ______________________
 //!     |______________________|/ ^ u, P     grip: rotation free or fixed, sliding or held

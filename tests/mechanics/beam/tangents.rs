@@ -270,7 +270,7 @@ fn three_field_density() {
         .unwrap();
 }
 
-/// The slopes u', η' and θ' of fields that have x', η' and θ': u = x - S.
+/// The slopes ξ', η' and θ' of fields that have x', η' and θ': ξ = x - S.
 fn of_fields([dx, dy, turn]: [f64; 3]) -> [f64; 3] {
     [dx - 1.0, dy, turn]
 }

@@ -54,7 +54,7 @@ impl Record for PeelFound<'_> {
             of.field("met", "whether `reached` is at most `asked`", |found| found.peel.reached_accuracy().map(|reached| reached <= found.peel.asked));
             of.field("load_limit_points_left_out", "number of load limit points between which the force changes by less than the tolerance", |found| found.peel.ripple);
             of.field("left_out", "what they are, in words", |found| left_out(found.peel));
-            of.field("form", "`two-field`: y and θ at every node, x eliminated; `three-field`: u = x - S, y and θ", |found| form_word(found.peel.choice.form));
+            of.field("form", "`two-field`: y and θ at every node, x eliminated; `three-field`: ξ = x - S, y and θ", |found| form_word(found.peel.choice.form));
             of.field("form_note", "whether that leaves anything out", |found| form_note(found.peel.choice.form));
         });
         of.field("terms", "what leaving out a term of the model would change, to first order; empty with friction and for a load without a potential; without the far face where a section is nearly upright", |found| found.peel.terms());
@@ -94,7 +94,7 @@ pub fn left_out(peel: &Peel) -> Option<&'static str> {
 fn form_note(form: Form) -> &'static str {
     match form {
         Form::TwoField => "left out: x is minimised out exactly (no effect)",
-        Form::ThreeField => "nothing left out: u = x - S, y and θ at every node",
+        Form::ThreeField => "nothing left out: ξ = x - S, y and θ at every node",
     }
 }
 

@@ -7,7 +7,7 @@ use crate::beam::element::energy_density::{Coupling, EnergyDensity, Point, Point
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: u = x - S (nm), y - h/2 of the
+/// The planar Reissner beam on ground that is not flat, with the adhesion bΨ of [`GroundLaw`]. Fields: ξ = x - S (nm), y - h/2 of the
 /// axis (nm), which above level ground is the gap, rotation θ. It has no border. Stored energy as of [`crate::beam::ReissnerBeam`].
 #[derive(Clone, Debug)]
 pub struct BeamOnGround {

@@ -1,6 +1,6 @@
-//! Reissner's geometrically exact planar beam, three unknowns a node: u, gap, rotation.
+//! Reissner's geometrically exact planar beam, three unknowns a node: ξ, gap, rotation.
 //!
-//! u = x - S is the displacement along the ground: where the beam adheres it is small, however long the beam, and so is its rounding.
+//! ξ = x - S is the displacement along the ground: where the beam adheres it is small, however long the beam, and so is its rounding.
 //! Γ1 = x' cos θ + y' sin θ - 1, Γ2 = -x' sin θ + y' cos θ, κ = θ' - κ0; stored energy ½EA Γ1² + ½GA_s Γ2² + ½EI κ² per
 //! length, or w(Γ1) of another [`StretchLaw`] in place of the first, and the adhesion bΨ(y, θ). κ0 is the curvature at rest, zero for a strip.
 
@@ -13,7 +13,7 @@ use crate::beam::section::{Section, SectionAt};
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The three-field form of the planar Reissner beam on a flat half space. Fields: u = x - S (nm), gap η = y - h/2 (nm),
+/// The three-field form of the planar Reissner beam on a flat half space. Fields: ξ = x - S (nm), gap η = y - h/2 (nm),
 /// rotation θ. It has no border.
 #[derive(Clone, Debug)]
 pub struct ReissnerBeam {
@@ -32,7 +32,7 @@ pub(super) const COUPLING: Coupling<3> = Coupling {
     slope_slope: [[true, true, false], [true, true, false], [false, false, true]],
 };
 
-/// The slopes x', y' and θ' where u, the height field and θ have these, and the axis rises faster than that field by `rise`.
+/// The slopes x', y' and θ' where ξ, the height field and θ have these, and the axis rises faster than that field by `rise`.
 #[inline(always)]
 pub(super) fn of_axis<T: Real>([along, up, turn]: [T; 3], rise: T) -> [T; 3] {
     [along + 1.0, up + rise, turn]
@@ -175,7 +175,7 @@ pub(super) fn section_of(response: &PointResponse<f64, 3>, [dx, dy, turn]: [f64;
 }
 
 impl Profile {
-    /// The section at S, turned by θ, under the slopes u', η' of the gap below it, and θ'.
+    /// The section at S, turned by θ, under the slopes ξ', η' of the gap below it, and θ'.
     pub(super) fn section_state(&self, place: f64, rotation: f64, slope: [f64; 3]) -> SectionState {
         let station = self.at(place);
         let slopes = of_axis(slope, station.rise);
@@ -191,7 +191,7 @@ impl Profile {
 
 // -- Reissner's beam on its own: nothing adheres, and it may be curved at rest --
 
-/// A planar Reissner beam that is stress-free along a given curve. Fields: u = x - S, y (nm), rotation θ. It has no border.
+/// A planar Reissner beam that is stress-free along a given curve. Fields: ξ = x - S, y (nm), rotation θ. It has no border.
 ///
 /// Γ1 and Γ2 as in [`crate::beam::ReissnerBeam`], the change of curvature θ' - κ0(S); stored energy per length
 /// ½EA Γ1² + ½GA_s Γ2² + ½EI (θ' - κ0)².

@@ -10,8 +10,8 @@ use crate::beam::element::energy_density::{
 use crate::beam::varying::Profile;
 use crate::number::Real;
 
-/// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: u = x - S (nm), gap
-/// η = y - h/2 (nm), rotation θ. It has no border. At rest u = 0. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
+/// The planar Reissner beam of a strip under a cohesive law with a shear strength, b times the adhesion of [`ShearedLaw`]. Fields: ξ = x - S (nm), gap
+/// η = y - h/2 (nm), rotation θ. It has no border. At rest ξ = 0. Stored energy as of [`crate::beam::ReissnerBeam`]. Where it `REMEMBERS`,
 /// [`Point::memory`] has how far its face has been.
 #[derive(Clone, Debug)]
 pub(crate) struct ShearedBeam<const REMEMBERS: bool> {

@@ -19,7 +19,7 @@ pub(crate) struct YieldingFilm {
 }
 
 impl YieldingFilm {
-    /// Γ1 at a rotation under the slopes u' and y', and ∂Γ1/∂θ.
+    /// Γ1 at a rotation under the slopes ξ' and y', and ∂Γ1/∂θ.
     #[inline(always)]
     fn stretch<T: Real>([sin, cos]: [T; 2], slope: [T; 3]) -> [T; 2] {
         let [dx, dy, _] = of_axis(slope, T::splat(0.0));

@@ -40,7 +40,7 @@ pub(super) fn energy<N: Nodes, const F: usize>(
     chain.sum_energy(N::of_order(chain.basis.order), at, direction)
 }
 
-/// The fields of a section at S with x in place of u, where that is one of them.
+/// The fields of a section at S with x in place of ξ, where that is one of them.
 fn in_place<const F: usize>(place: f64, fields: [f64; F]) -> [f64; MOST_FIELDS] {
     let mut all = [0.0; MOST_FIELDS];
     all[..F].copy_from_slice(&fields);
