@@ -16,9 +16,7 @@ pub struct Unit(units::Unit);
 pub struct UnitsArgs {
     /// Units of summary and pictures: µN,µm,fJ [default: those that fit]
     ///
-    /// One each of forces, lengths, works and forces over a width, such as N/25mm.
-    ///
-    /// Tables keep their units; copies in these are in the folder in-units.
+    /// One each of forces, lengths, works and forces over a width. Tables keep theirs; copies are in the folder in-units.
     #[arg(long, value_name = "LIST")]
     units: Option<String>,
 }
