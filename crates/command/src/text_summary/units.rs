@@ -16,7 +16,7 @@ pub struct Unit(units::Unit);
 pub struct UnitsArgs {
     /// Units of summary and pictures: µN,µm,fJ [default: those that fit]
     ///
-    /// One each of forces, lengths, works and forces over a width. Tables keep theirs; copies are in the folder in-units.
+    /// One each of forces, lengths, works and forces over a width. Tables keep theirs; copies are in in-units.
     #[arg(long, value_name = "LIST")]
     units: Option<String>,
 }
