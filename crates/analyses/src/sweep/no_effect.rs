@@ -8,7 +8,7 @@ use peelkit_scene::{Key, Scene};
 
 /// Refuses a key that no result of this scene depends on.
 pub fn refuse(scene: &Scene, cases: &Cases) -> Result<(), Refusal> {
-    [Some(cases.keys.first), cases.keys.second].into_iter().flatten().try_for_each(|key| {
+    cases.keys.keys().try_for_each(|key| {
         let refused =
             |(why, remedy)| Err(Refusal::asked(format!("--vary {} would change no result: {why}", key.path()), remedy));
         why_none(scene, key).map_or(Ok(()), refused)

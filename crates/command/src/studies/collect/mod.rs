@@ -13,7 +13,7 @@ use merge::Merged;
 use parts::Parts;
 use peelkit_analyses::{Cases, Outcome, Rows, SweepOutcome};
 use peelkit_report::{Existing, OutputFolder, PartHeader, PartialCollection, ReportError};
-use peelkit_scene::Scene;
+use peelkit_scene::{Key, Scene};
 use std::path::{Path, PathBuf};
 
 /// Puts together the parts that peel sweep --part has computed
@@ -41,6 +41,7 @@ pub fn collect(args: &Collect) -> Result<(), Stop> {
     let mut scene = Scene::parse(&header.name, &header.sweep.scene, &[])?;
     args.units.put(&mut scene)?;
     let cases = Cases::along(&scene, &parts.axes()?, None).map_err(|why| Stop::refused(&scene, why))?;
+    args.units.check(&scene, cases.keys.keys().map(Key::path))?;
     let merged = Merged::of(&parts, &cases)?;
     let (missing, missing_text) = (merged.missing_parts(), merged.missing_text());
     let found = SweepOutcome::of(&cases, Rows::Peels(merged.rows), merged.remarks);

@@ -29,8 +29,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
     let axes = axes.collect::<Result<Vec<Axis>, Stop>>()?;
     args.part.map_or(Ok(()), |part| part::check(args, part, &axes))?;
     let cases = Cases::along(&scene, &axes, args.part).map_err(refused)?;
-    let varied = [Some(cases.keys.first), cases.keys.second];
-    args.units.check(&scene, varied.into_iter().flatten().map(|key| key.path()))?;
+    args.units.check(&scene, cases.keys.keys().map(Key::path))?;
     refuse_set_keys(&args.scene.overrides, cases.keys)?;
     let part = args.part.map(|part| part::header(args, &scene, &axes, part));
     let sweep = Analysis::of(&scene, cases, args.followed(), part).map_err(refused)?;
@@ -45,7 +44,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Stop> {
 /// Refuses a key that `--set` gives as well.
 fn refuse_set_keys(overrides: &[(String, String)], keys: SweptKeys) -> Result<(), Stop> {
     let set = |key: &Key| overrides.iter().find(|(set, _)| set.trim() == key.path());
-    match [Some(keys.first), keys.second].into_iter().flatten().find_map(set) {
+    match keys.keys().find_map(set) {
         Some((path, value)) => Err(Stop::bad_input(
             format!(
                 "--set {path}={value} sets the key that --vary varies, and would have no effect",
