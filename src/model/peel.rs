@@ -292,6 +292,11 @@ impl PeelModel {
         self.material().yield_strength.is_some()
     }
 
+    /// Whether its adhesive holds a beam in the plane along the ground.
+    pub(crate) fn is_held(&self) -> bool {
+        self.space.is_none() && self.adhesion.sheared_law().is_some()
+    }
+
     /// How its sections yield, of a strip that does.
     pub(crate) fn film_law(&self) -> Option<FilmLaw> {
         self.material().film_law(&self.section())

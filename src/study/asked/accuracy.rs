@@ -140,6 +140,8 @@ const LONGEST_YIELDING: f64 = 0.11;
 const BEST_YIELDING: f64 = 1e-3;
 /// The same at any accuracy: beyond it Newton's method takes more than it saves.
 const LONGEST: f64 = 5e-2;
+/// The same of a beam that its adhesive holds along the ground: that at 1e-6. Its path has cusps where it hangs by its edge.
+const LONGEST_HELD: f64 = STEP_TOLERANCE;
 
 /// Order, elements and steps of one try.
 #[derive(Clone, Copy, Debug)]
@@ -187,10 +189,11 @@ impl Resolution {
         };
         let chosen = whole_bundles(elements).clamp(6, most_elements(model));
         let aimed = if model.space.is_some() { STEP_TOLERANCE_IN_SPACE } else { STEP_TOLERANCE };
+        let longest = if model.is_held() { LONGEST_HELD } else { LONGEST };
         Self {
             order: accuracy.order(),
             elements: accuracy.choice.elements.unwrap_or(chosen),
-            step_tolerance: accuracy.choice.step.unwrap_or((aimed * (1e6 * relative).powf(0.25)).min(LONGEST)),
+            step_tolerance: accuracy.choice.step.unwrap_or((aimed * (1e6 * relative).powf(0.25)).min(longest)),
             stride: 1.0,
         }
     }

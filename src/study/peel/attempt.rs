@@ -101,6 +101,10 @@ impl Attempt {
             Some(Missed { .. } | Jumped { .. } | NotLocated { turn: LimitPointKind::Displacement, .. }) => {
                 Resolution { step_tolerance: 0.3 * step_tolerance, ..resolution.times(1.25) }
             }
+            // the path of a beam that is held is seldom lost for its elements
+            Some(_) if model.is_held() && accuracy.choice.step.is_none() => {
+                Resolution { step_tolerance: 0.5 * step_tolerance, ..resolution.times(1.5) }
+            }
             Some(_) => resolution.times(1.5),
         };
         let trouble = followed.trouble.clone().or_else(|| followed.late());

@@ -29,6 +29,8 @@ const MOST_SHORTER: i32 = 3;
 /// What steps of half the length change at best, over what those before have changed: where even that does not come down to the accuracy asked for
 /// no further path is tried.
 const LESS_AT_BEST: f64 = 4.0;
+/// Meshes on which the path of a beam that is held may be unusable before it is watched: what more of them cure takes longer.
+const MOST_FAILED_HELD: usize = 3;
 /// Newton iterations after which a path in space is lost that is followed warily, over those of all meshes before.
 const WARILY: usize = 2;
 
@@ -102,16 +104,10 @@ pub(super) fn on_meshes(
         budget,
         lost: None,
         lost_again: None,
-        is_held: problem.beam.planar().is_some_and(|beam| beam.slip_reach.is_some()),
-        hangs: false,
         wholes: Vec::new(),
     };
     let mut best: Option<Attempt> = None;
     for &pace in paces {
-        // a held tape is lost where it hangs by its edge, where its path has a cusp that is seen at the watchful pace alone
-        if meshes.hangs && pace == Pace::Wary {
-            continue;
-        }
         // a fixed mesh that is too coarse is so at any pace: watched, a path begins on the one that came farthest
         let farthest = best.as_ref().filter(|_| pace == Pace::Watchful && mesh != MeshKind::Moving);
         let farthest = farthest.map(|best| best.peel.effort.elements);
@@ -184,10 +180,6 @@ struct Meshes<'r> {
     lost: Option<Lost>,
     /// The elements of the mesh on which the path was lost where it had been lost before.
     lost_again: Option<usize>,
-    /// Whether its adhesive holds the beam along the ground.
-    is_held: bool,
-    /// Whether two meshes have lost such a path at one place.
-    hangs: bool,
     /// The limit points of every path that could be used.
     wholes: Vec<Whole>,
 }
@@ -208,6 +200,11 @@ impl Meshes<'_> {
                 (&Arc::new(problem.measured_beside(MeasuredBeside::Roll)), WARILY * self.iterations)
             }
             _ => (problem, usize::MAX),
+        };
+        let most_failed = match pace {
+            _ if model.space.is_some() => MOST_FAILED_IN_SPACE,
+            Pace::Quick if model.is_held() => MOST_FAILED_HELD,
+            _ => usize::MAX,
         };
         let given = problem;
         let (mut problem, mut upright) = (given.clone(), NearlyUpright::nowhere());
@@ -232,10 +229,8 @@ impl Meshes<'_> {
                 || best.is_some_and(|best| attempt.is_stuck_behind(best));
             let over = attempt.cut || limits.reached().is_some();
             self.unfinished = over && (attempt.cut || attempt.trouble.is_some() || !enough);
-            let hopeless = attempt.trouble.is_some() && model.space.is_some() && {
-                failed += 1;
-                failed == MOST_FAILED_IN_SPACE || self.iterations > most
-            };
+            failed += usize::from(attempt.trouble.is_some());
+            let hopeless = attempt.trouble.is_some() && (failed == most_failed || self.iterations > most);
             let collapses = matches!(attempt.trouble, Some(PathFailure::TooManyPoints { .. }));
             self.gives_up |= collapses && self.collapsed == Collapsed::Lost || self.budget.is_spent();
             self.wholes.extend(attempt.whole());
@@ -248,12 +243,11 @@ impl Meshes<'_> {
     /// Whether the path was lost where the mesh before had lost it: then the mesh is not to blame, and the next pace goes on from this one. Watched,
     /// a path comes past such a place on one mesh and not on another.
     fn is_lost_again(&mut self, attempt: &Attempt, pace: Pace) -> bool {
-        let hangs = pace == Pace::Quick && self.is_held;
+        let hangs = pace == Pace::Quick && self.model.is_held();
         let lost = if hangs { attempt.missing() } else { attempt.lost() };
         let before = std::mem::replace(&mut self.lost, lost);
         let near = |(lost, before): (Lost, Lost)| lost.is_near(&before) || hangs && lost.is_near_by_largest(&before);
         let again = pace != Pace::Watchful && lost.zip(before).is_some_and(near);
-        self.hangs |= hangs && again;
         if again {
             self.lost_again = Some(attempt.peel.effort.elements);
         }

@@ -13,6 +13,9 @@ use crate::study::asked::stop_criteria::StopCriteria;
 
 /// How a path is followed, one way after another until it can be used.
 const PACES: [Pace; 3] = [Pace::Quick, Pace::Wary, Pace::Watchful];
+/// The same of a beam that its adhesive holds along the ground. It is lost where it hangs by its edge: its path has a cusp there, which is seen at the
+/// watchful pace alone.
+const PACES_HELD: [Pace; 2] = [Pace::Quick, Pace::Watchful];
 
 /// In space a path that was lost takes as long as many that are not, and is not watched. With friction, and of a film that yields, the other paces take
 /// ten times as long and find next to nothing: what slides or yields depends on the steps there.
@@ -20,6 +23,7 @@ fn paces(model: &PeelModel) -> &'static [Pace] {
     match model.space {
         _ if model.friction_law().is_some() || model.yields() => &PACES[..1],
         Some(_) => &PACES[..2],
+        None if model.is_held() => &PACES_HELD,
         None => &PACES,
     }
 }
