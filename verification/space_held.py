@@ -41,8 +41,9 @@ def compute(name, case, quick):
         worst, points = max(worst, spread(peel, states[-1])), points + 1
     main = [row for row in out if row["quantity"].endswith(("displacement_nm", "force_nN")) and float(row["value"])]
     largest = max(float(row["estimated_error"]) / abs(float(row["value"])) for row in main)
+    kept = "no potential" if case.shear_work_J_m2 else f"first integral varies by {worst:.0e} of its size"
     print(
-        f"{name}: {points} states; first integral varies by {worst:.0e} of its size; u and P: relative errors of at most {largest:.0e}",
+        f"{name}: {points} states; {kept}; u and P: relative errors of at most {largest:.0e}",
         flush=True,
     )
     return out

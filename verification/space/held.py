@@ -7,6 +7,12 @@ from where it was bonded. With t^2 = d_x^2 + d_z^2 its slip and d_y its opening,
 the exponential law with what attracts an open face and what repels a pressed one; range = w/(sigma e), and delta = (2/e)^(1/2) w/tau. So
     n' = b int grad psi ds,   m' = -r' x n + b int (R l) x grad psi ds,
 by Gauss's rule on both sides of where the face just closes, at which the law has a corner. Nothing holds the end at S = 0. First integral: that of a strip that slides, less n_x.
+
+Where slip takes a work of its own, w_t, delta = (2/e)^(1/2) w_t/tau, and in place of grad psi there is
+    f = (w_t/w dpsi/dx, dpsi/dy, w_t/w dpsi/dz):
+no gradient, and no first integral. With an exponent eta of Benzeggagh and Kenane what pulls is k times as large,
+    k = 1 + 2 (kappa - 1) (1 - A B),  kappa = (1 - m + m w/w_t) (1 + (w_t/w - 1) m^eta),  m = w_t q/(w p + w_t q),
+with A and B what is left of opening and of slip, p = -ln A = o - ln(1 + o), q = -ln B = t^2/delta^2.
 """
 
 from dataclasses import dataclass, replace
@@ -30,6 +36,8 @@ class Held:
     work: float
     shear_strength: float
     y0: float
+    shear_work: float
+    mixing: float = 0.0
     places: object = None
     r0: float = 0.0
 
@@ -37,16 +45,28 @@ class Held:
         return replace(self, places=np.asarray(places))
 
     def density(self, d):
-        """psi and its gradient, of displacements [x, y, z]."""
-        span, delta = self.work / (self.strength * e), sqrt(2.0 / e) * self.work / self.shear_strength
+        """psi and f, of displacements [x, y, z]."""
+        span, delta = self.work / (self.strength * e), sqrt(2.0 / e) * self.shear_work / self.shear_strength
         o = d[1] / span
         whole, rise = -self.strength * span * (1.0 + o) * np.exp(1.0 - o), self.strength * o * np.exp(1.0 - o)
         is_open = np.real(o) > 0.0
         pull, by_pull = np.where(is_open, whole, -self.work), np.where(is_open, rise, 0.0)
         push, by_push = np.where(is_open, 0.0, whole + self.work), np.where(is_open, 0.0, rise)
         hold = np.exp(-(d[0] ** 2 + d[2] ** 2) / delta**2)
-        along = -2.0 / delta**2 * pull * hold
-        return pull * hold + push, (along * d[0], by_pull * hold + by_push, along * d[2])
+        factor = self.mixed(np.where(is_open, o, 0.0), (d[0] ** 2 + d[2] ** 2) / delta**2)
+        along = -2.0 / delta**2 * self.shear_work / self.work * pull * hold * factor
+        return pull * hold + push, (along * d[0], by_pull * hold * factor + by_push, along * d[2])
+
+    def mixed(self, o, q):
+        """k at an opening and at what is left of slip."""
+        if not self.mixing:
+            return 1.0
+        ratio, p = self.shear_work / self.work, o - np.log1p(o)
+        both = p + ratio * q
+        m = np.where(both == 0.0, 0.0, ratio * q / np.where(both == 0.0, 1.0, both))
+        m = np.where(m == 0.0, 1e-300, m)
+        kappa = (1.0 - m + m / ratio) * (1.0 + (ratio - 1.0) * m**self.mixing)
+        return 1.0 + 2.0 * (kappa - 1.0) * (1.0 - (1.0 + o) * np.exp(-o - q))
 
     def loads(self, z):
         """Psi, and the force and the moment per length on the ground."""
@@ -92,10 +112,14 @@ class HeldCase(Case):
     work_J_m2: float = 0.03
     strength_GPa: float = 0.01
     shear_strength_GPa: float = 0.01
+    shear_work_J_m2: str = ""
+    mixing_exponent: str = ""
 
     def law(self):
         y0 = 0.5 * self.height_nm
-        return Held(self.width_nm, self.height_nm, self.strength_GPa, self.work_J_m2, self.shear_strength_GPa, y0)
+        w = float(self.shear_work_J_m2 or self.work_J_m2)
+        at = (self.width_nm, self.height_nm, self.strength_GPa, self.work_J_m2, self.shear_strength_GPa, y0)
+        return Held(*at, w, float(self.mixing_exponent or 0.0))
 
     def beam(self):
         free = super().beam()

@@ -229,6 +229,11 @@ fn mixing(exponent: f64, ratio: f64, [open, hold]: [f64; 2]) -> [f64; 3] {
 }
 
 impl ShearedLaw {
+    /// κ_e and its changes with A and B; none where the criterion is linear.
+    pub(in crate::adhesion) fn mixed_at(&self, left: [f64; 2]) -> Option<[f64; 3]> {
+        self.exponent.map(|exponent| mixing(exponent, self.work_ratio, left))
+    }
+
     /// B at a slip (nm) and its two derivatives, of a face that has slipped so far at most.
     #[inline(always)]
     fn hold(&self, t: f64, most: f64) -> [f64; 3] {

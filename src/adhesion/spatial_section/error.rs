@@ -14,6 +14,12 @@ pub enum SpatialSectionError {
         /// What has none
         law: String,
     },
+    /// A tree of beams takes the forces of its branches from one energy.
+    #[error(
+        "slip takes a work of its own there, so that the load has no potential, and a tree of beams requires one; remove \
+         adhesion.shear_work and adhesion.mixing_exponent"
+    )]
+    TwoWorks,
     /// What a law does is said of the faces of a rectangle.
     #[error(
         "an elliptical section is computed for the body force with the upper surface and the full line load; {law} \

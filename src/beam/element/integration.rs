@@ -161,8 +161,7 @@ impl<const F: usize> Element<F64x4, F> {
         front: &mut FrontalMatrix<F64x4, F>,
     ) -> (F64x4, F64x4) {
         let energies = self.integrate_gradient::<BORDER>(by, path_weight, room, front);
-        let Responses { responses, weighted, .. } = room;
-        self.assemble(by, responses, weighted, front);
+        self.assemble(by, room, front);
         energies
     }
 
@@ -198,17 +197,15 @@ impl<const F: usize> Element<F64x4, F> {
     }
 
     /// The tangent: sums over the points of  N vv Nᵀ + N vs N'ᵀ + N' sv Nᵀ + N' ss N'ᵀ  with the shape functions N and their
-    /// slopes N', of what the responses are times their weights.
-    // a struct of what it needs would be made for this one call
-    #[allow(clippy::too_many_arguments)]
+    /// slopes N', of what the responses that the room keeps are times their weights.
     #[inline(always)]
-    fn assemble(
+    pub(in crate::beam) fn assemble(
         &self,
         by: &Integration<impl Nodes, F>,
-        responses: &[PointResponse<F64x4, F>; MOST_NODES],
-        weighted: &mut Weighted,
+        room: &mut Responses<F>,
         front: &mut FrontalMatrix<F64x4, F>,
     ) {
+        let Responses { responses, weighted, .. } = room;
         let (Integration { nodes, basis, coupling, .. }, stretch) = (by, self.stretch());
         for f in 0..F {
             for g in 0..F {

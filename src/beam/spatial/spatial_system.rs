@@ -8,6 +8,7 @@ use super::rotation::{apply, apply_transposed, cross, matrix};
 use super::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
 use super::shared_system::{node_difference, step_node};
 use super::spatial_beam::{ANGLES, SpatialBeam};
+use crate::beam::element::integrand::Integrand;
 use crate::beam::element::integration::ElementEnergy;
 use crate::beam::mesh::{MeshKind, nodal_lengths};
 use crate::beam::planar::planar_beam::{FRONT, TIP_ROTATION};
@@ -106,7 +107,7 @@ impl System for SpatialBeam {
     }
 
     fn is_conservative(&self) -> bool {
-        self.chain.ends[1].dead_load[1] == [0.0; 3]
+        self.chain.ends[1].dead_load[1] == [0.0; 3] && self.chain.density.is_symmetric()
     }
 
     fn has_near_branches(&self) -> bool {

@@ -87,7 +87,7 @@ fn adhesion(model: &PeelModel) -> Result<(), ModelError> {
 }
 
 /// That what has an exponent has two works that it can mix, that what has a work in shear has a strength in shear, and that what holds along the ground
-/// is a strip, or is in space, where it has a potential, on flat ground, with the contact moment and without pretension.
+/// is a strip, or is in space, on flat ground, with the contact moment and without pretension.
 fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
     if let (Some(value), None) = (model.adhesion.mixing_exponent, model.adhesion.shear_work) {
         let found = Measured { value, unit: "" };
@@ -99,10 +99,6 @@ fn shear_strength(model: &PeelModel) -> Result<(), ModelError> {
             Err(ModelError::new("adhesion.shear_work", ModelErrorKind::NotHeldInShear { found }))
         };
         return model.adhesion.shear_work.map_or(Ok(()), error);
-    }
-    if let Some(value) = model.adhesion.shear_work.filter(|_| model.space.is_some() && !model.has_potential()) {
-        let found = Measured { value, unit: "J/m2" };
-        return Err(ModelError::new("adhesion.shear_work", ModelErrorKind::TwoWorksInSpace { found }));
     }
     let with = "a shear strength of the adhesion";
     let no_strip = model.strip().is_none() && model.space.is_none();

@@ -143,9 +143,6 @@ pub enum ModelErrorKind {
     /// Something that is not offered in space.
     #[error("is given, and this scene is in space, where {why}")]
     NotInSpace { why: &'static str },
-    /// A work in shear of its own in space.
-    #[error("is not that of opening, and in space both come of one potential")]
-    TwoWorksInSpace { found: Measured },
     /// An adhesion law that a section in space does not have.
     #[error("is not offered in space: {0}")]
     LawInSpace(SpatialSectionError),
@@ -186,7 +183,6 @@ impl ModelErrorKind {
             | Self::NothingToMix { found }
             | Self::NothingToHarden { found }
             | Self::NoSofter { found, .. }
-            | Self::TwoWorksInSpace { found }
             | Self::NoShearStrength { found }
             | Self::FrictionOffFlatGround { found }
             | Self::FrictionBesideLaw { found }
@@ -281,9 +277,6 @@ impl ModelErrorKind {
             Self::TooManySteps { .. } => "Take fewer steps: one that is longer in place of several.",
             Self::NotInSpace { .. } => {
                 "Remove it, or remove `space` and the keys of space: `azimuth`, `lateral`, `roll`, `yaw` and `section`."
-            }
-            Self::TwoWorksInSpace { .. } => {
-                "Remove `shear_work` and `mixing_exponent`, so that slip takes the work of opening, or remove `space`."
             }
             Self::LawInSpace(_) => "Use `law = \"body-force\"` or a cohesive law with `line_load = \"full\"`.",
             Self::AlongStrip { .. } => "Pull at an angle between, above 0 and below 180 degrees: `angle = \"60 deg\"`.",

@@ -49,9 +49,12 @@ impl PeelModel {
     /// Its body as a branch of a tree.
     ///
     /// # Errors
-    /// A law that has no adhesion of sections in space.
+    /// A law that has no adhesion of sections in space; a work of slip that is not that of opening, which has no potential.
     pub fn branch(&self) -> Result<BodyBranch, SpatialSectionError> {
         let space = Space::default();
+        if self.adhesion.sheared_law().is_some_and(|law| !law.has_potential()) {
+            return Err(SpatialSectionError::TwoWorks);
+        }
         Ok(self.on_ground(&space, self.spatial_section(&space)?))
     }
 

@@ -1,5 +1,5 @@
-//! Any number of right-hand sides through a forest that is eliminated: K = Lᵀ D L, but for the rows of what is held of joints, which were
-//! replaced behind the elimination of the interior of their element.
+//! Any number of right-hand sides through a forest that is eliminated: K = L D U, of a symmetric tangent with L = Uᵀ, but for the rows of what is held
+//! of joints, which were replaced behind the elimination of the interior of their element.
 
 use super::eliminate::FrontalFactors;
 use super::forest::{Forest, Piece};
@@ -21,7 +21,7 @@ impl<const F: usize> FrontalFactors<F> {
             // plain, the equations of what is held do not take part
             let piece = &self.forest.pieces[e];
             take(piece, order, right, &mut x);
-            self.interior(b).forward(l, &mut x, &self.taking_part(piece, !transposed));
+            self.interior(b).forward(l, &mut x, &self.taking_part(piece, !transposed), transposed);
             put_inside(piece, order, &x, right);
             for (end, node) in piece.left_and_right().into_iter().enumerate() {
                 right[node * F..][..F].copy_from_slice(&x[order - 1 + end]);
@@ -40,14 +40,17 @@ impl<const F: usize> FrontalFactors<F> {
             // transposed, what is held does not act on the interior
             let piece = &self.forest.pieces[e];
             take(piece, order, right, &mut x);
-            self.interior(b).backward(l, &mut x, &self.taking_part(piece, transposed));
+            self.interior(b).backward(l, &mut x, &self.taking_part(piece, transposed), transposed);
             put_inside(piece, order, &x, right);
         }
     }
 
     fn interior(&self, bundle: usize) -> Interior<'_, F> {
         let length = packed_length::<F>(self.forest.order);
-        Interior::new(self.forest.order, &self.inside[bundle * length..][..length])
+        let own = bundle * length..(bundle + 1) * length;
+        let rows = &self.inside[own.clone()];
+        let columns = if self.columns.is_empty() { rows } else { &self.columns[own] };
+        Interior::new(self.forest.order, rows, columns)
     }
 
     /// Which unknowns of the left and the right end of an element take part: all, or all `but_held`.

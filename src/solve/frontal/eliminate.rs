@@ -3,7 +3,7 @@
 use super::end_block::{BelowEnd, Carry, EndBlock, EndRow};
 use super::forest::{Forest, Piece};
 use super::frontal_matrix::FrontalMatrix;
-use super::interior::{pack, packed_length};
+use super::interior::{pack, pack_columns, packed_length};
 use super::nodes::{Nodes, slot};
 use crate::number::{F64x4, Real};
 use crate::solve::error::{Place, Quantity, SolveError};
@@ -18,8 +18,11 @@ pub(crate) trait Fronts<const F: usize> {
     /// Room to integrate in.
     type Room;
 
-    /// Writes the fronts of the elements of a bundle, symmetric, in the unknowns of their nodes, with the functional in the path row. Their
-    /// energies, and a second integral that is summed up with these.
+    /// Whether its tangent is symmetric.
+    fn is_symmetric(&self) -> bool;
+
+    /// Writes the fronts of the elements of a bundle in the unknowns of their nodes, with the functional in the path row: nothing below the diagonal
+    /// where they are symmetric. Their energies, and a second integral that is summed up with these.
     fn write(
         &self,
         nodes: impl Nodes,
@@ -40,6 +43,8 @@ pub(crate) struct FrontalFactors<const F: usize> {
     pub(super) forest: Arc<Forest>,
     /// Bundle by bundle
     pub(super) inside: Vec<F64x4>,
+    /// Likewise, what stood below the pivots; nothing where the tangent is symmetric
+    pub(super) columns: Vec<F64x4>,
     /// Element by element
     pub(super) ends: Vec<[EndRow<F>; F]>,
     /// Likewise
@@ -69,6 +74,7 @@ impl<const F: usize> Default for FrontalFactors<F> {
         Self {
             forest: Arc::default(),
             inside: Vec::new(),
+            columns: Vec::new(),
             ends: Vec::new(),
             below: Vec::new(),
             held: Vec::new(),
@@ -113,17 +119,22 @@ impl<const F: usize> FrontalFactors<F> {
         added: NodalTerms,
         room: &mut S::Room,
     ) -> Result<Eliminated<F>, SolveError> {
-        let Self { forest, inside, ends, below, held, carries, front } = self;
+        let Self { forest, inside, columns, ends, below, held, carries, front } = self;
+        let symmetric = structure.is_symmetric();
+        columns.resize(if symmetric { 0 } else { inside.len() }, F64x4::splat(0.0));
         let (order, packed, mut block) = (nodes.count() - 1, packed_length::<F>(forest.order), EndBlock::zero());
         let (mut integrals, mut negative, mut least_pivot) = ([0.0; 2], 0, f64::INFINITY);
         for (b, own) in forest.bundles.iter().enumerate() {
             let parts = structure.write(nodes, b, room, front);
             add_inside(nodes, front, added, &own.lanes.map(|e| &forest.pieces[e]));
-            let pivots = front.condense_by_nodes(nodes);
+            let pivots = if symmetric { front.condense_by_nodes(nodes) } else { front.condense_whole_by_nodes(nodes) };
             pack(order, front, &mut inside[b * packed..][..packed]);
+            if !symmetric {
+                pack_columns(order, front, &mut columns[b * packed..][..packed]);
+            }
             for (l, &e) in own.lanes.iter().enumerate().take(own.count) {
                 let piece = &forest.pieces[e];
-                block.take(nodes, front, l, piece.near);
+                block.take(nodes, front, l, piece.near, symmetric);
                 block.unload(&carries[piece.from]);
                 if piece.is_first {
                     let off = structure.off(piece.from);

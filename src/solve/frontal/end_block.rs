@@ -74,19 +74,29 @@ impl<const F: usize> EndBlock<F> {
         Self { rows: [[EndRow::ZERO; F]; 2], path: EndRow::ZERO }
     }
 
-    /// Takes what condensation left of element `l` of a front, which is symmetric; `near` of its ends, 0 at its left or 1, is the near one.
+    /// Takes what condensation left of element `l` of a front; `near` of its ends, 0 at its left or 1, is the near one. Of a `symmetric` one nothing
+    /// below its diagonal is looked at.
     #[inline(always)]
-    pub(crate) fn take(&mut self, nodes: impl Nodes, front: &FrontalMatrix<F64x4, F>, l: usize, near: usize) {
+    pub(crate) fn take(
+        &mut self,
+        nodes: impl Nodes,
+        front: &FrontalMatrix<F64x4, F>,
+        l: usize,
+        near: usize,
+        symmetric: bool,
+    ) {
         let (first, places) = (nodes.count() - 2, [1 - near, near]);
         for a in 0..2 {
             for f in 0..F {
                 let (i, row) = (places[a], &front.rows[first + a][f]);
-                for b in a..2 {
+                for b in if symmetric { a } else { 0 }..2 {
                     let j = places[b];
-                    for g in if b == a { f } else { 0 }..F {
+                    for g in if symmetric && b == a { f } else { 0 }..F {
                         let entry = row.fields[first + b][g].0[l];
                         self.rows[i][f].ends[j][g] = entry;
-                        self.rows[j][g].ends[i][f] = entry;
+                        if symmetric {
+                            self.rows[j][g].ends[i][f] = entry;
+                        }
                     }
                 }
                 self.rows[i][f].residual = row.residual.0[l];

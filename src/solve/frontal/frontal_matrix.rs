@@ -83,6 +83,21 @@ impl<T: Real, const F: usize> FrontalRow<T, F> {
 }
 
 impl<T: Real, const F: usize> FrontalRow<T, F> {
+    /// Takes off the pivot rows of node `a`, one over whose pivots is `inverse`. In the columns of that node stays what stood below each pivot.
+    #[inline(always)]
+    fn reduce_by_node(&mut self, nodes: impl Nodes, pivot_rows: [&Self; F], inverse: &[T; F], a: usize) {
+        let mut factors = [T::splat(0.0); F];
+        for k in 0..F {
+            let mut entry = self.fields[a][k];
+            for r in 0..k {
+                entry = entry - pivot_rows[r].fields[a][k] * factors[r];
+            }
+            self.fields[a][k] = entry;
+            factors[k] = entry * inverse[k];
+        }
+        self.reduce::<false, F>(nodes, pivot_rows, factors, F * (a + 1));
+    }
+
     /// [`Self::reduce`] of two rows at once, which read every pivot row once for both; the first of them from the column before `from` on.
     #[inline(always)]
     fn reduce_two<const ROWS: usize>(
@@ -197,15 +212,36 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
                     row.reduce::<false, F>(nodes, pivot_rows, factors, F * b + F - 1);
                 }
             }
-            let mut factors = [T::splat(0.0); F];
+            self.path.reduce_by_node(nodes, pivot_rows, &inverse, a);
             for k in 0..F {
-                let mut entry = self.path.fields[a][k];
-                for r in 0..k {
-                    entry = entry - pivot_rows[r].fields[a][k] * factors[r];
-                }
-                factors[k] = entry * inverse[k];
+                own[k].fields[a][k] = inverse[k];
             }
-            self.path.reduce::<false, F>(nodes, pivot_rows, factors, F * (a + 1));
+        }
+        pivots
+    }
+
+    /// The same of a tangent that is not symmetric: what stood below each pivot stays there.
+    #[inline(always)]
+    pub(crate) fn condense_whole_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
+        let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
+        for a in 0..nodes.count() - 2 {
+            let (done, below) = self.rows[..nodes.count()].split_at_mut(a + 1);
+            let own = &mut done[a];
+            let mut inverse = [T::splat(0.0); F];
+            for k in 0..F {
+                let (first, rest) = own.split_at_mut(k + 1);
+                let pivot_row = &first[k];
+                inverse[k] = pivots.invert(pivot_row.fields[a][k]);
+                for row in rest {
+                    let factor = row.fields[a][k] * inverse[k];
+                    row.reduce::<false, 1>(nodes, [pivot_row], [factor], F * a + k + 1);
+                }
+            }
+            let pivot_rows: [&FrontalRow<T, F>; F] = own.each_ref();
+            for row in below.as_flattened_mut() {
+                row.reduce_by_node(nodes, pivot_rows, &inverse, a);
+            }
+            self.path.reduce_by_node(nodes, pivot_rows, &inverse, a);
             for k in 0..F {
                 own[k].fields[a][k] = inverse[k];
             }

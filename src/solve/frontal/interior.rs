@@ -1,7 +1,7 @@
 //! What the elimination of the interior nodes of four elements side by side leaves, closely packed.
 //!
 //! Row k of the pivots has one over the pivot, then the entries of the columns behind it, then the residual; unknowns are those of the
-//! nodes in elimination order, the interior first.
+//! nodes in elimination order, the interior first. Where the tangent is not symmetric, column k has what stood below the pivot, of as many numbers.
 
 use super::frontal_matrix::FrontalMatrix;
 use super::nodes::MOST_NODES;
@@ -35,27 +35,53 @@ pub(super) fn pack<const F: usize>(order: usize, front: &FrontalMatrix<F64x4, F>
     }
 }
 
+/// Writes what stood below the pivots, where [`pack`] writes what stood behind them.
+pub(super) fn pack_columns<const F: usize>(order: usize, front: &FrontalMatrix<F64x4, F>, out: &mut [F64x4]) {
+    let (pivots, unknowns) = counts::<F>(order);
+    let rows = front.rows.as_flattened();
+    let mut from = 0;
+    for k in 0..pivots {
+        for i in k + 1..unknowns {
+            out[from + i - k] = rows[i].fields.as_flattened()[k];
+        }
+        from += unknowns - k + 1;
+    }
+}
+
 /// The packed rows of four elements.
 pub(super) struct Interior<'a, const F: usize> {
     rows: &'a [F64x4],
+    /// Of a symmetric tangent the rows
+    columns: &'a [F64x4],
     pivots: usize,
     unknowns: usize,
 }
 
 impl<'a, const F: usize> Interior<'a, F> {
     #[inline(always)]
-    pub(crate) fn new(order: usize, rows: &'a [F64x4]) -> Self {
+    pub(crate) fn new(order: usize, rows: &'a [F64x4], columns: &'a [F64x4]) -> Self {
         let (pivots, unknowns) = counts::<F>(order);
-        Self { rows, pivots, unknowns }
+        Self { rows, columns, pivots, unknowns }
     }
 
     /// One over the pivot, the entries behind it, the residual.
     #[inline(always)]
     fn row(&self, k: usize) -> (F64x4, &'a [F64x4], F64x4) {
-        let from = k * (self.unknowns + 1) - k * k.saturating_sub(1) / 2;
-        let length = self.unknowns - k;
+        let (from, length) = self.place(k);
         let row = &self.rows[from..=from + length];
         (row[0], &row[1..length], row[length])
+    }
+
+    /// The entries below the pivot.
+    fn column(&self, k: usize) -> &'a [F64x4] {
+        let (from, length) = self.place(k);
+        &self.columns[from + 1..from + length]
+    }
+
+    /// Where row k begins, and how many columns it has.
+    #[inline(always)]
+    fn place(&self, k: usize) -> (usize, usize) {
+        (k * (self.unknowns + 1) - k * k.saturating_sub(1) / 2, self.unknowns - k)
     }
 
     /// The interiors of the direction that solves K q = `scale` R, whose ends are known.
@@ -85,10 +111,11 @@ impl<'a, const F: usize> Interior<'a, F> {
     }
 
     /// Of element `l`, takes what the interior is loaded with off the unknowns behind it; of the ends, off those that take part.
-    pub(crate) fn forward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
+    pub(crate) fn forward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2], transposed: bool) {
         let (x, taking_part) = (x.as_flattened_mut(), taking_part.as_flattened());
         for k in 0..self.pivots {
-            let (inverse, entries, _) = self.row(k);
+            let (inverse, behind, _) = self.row(k);
+            let entries = if transposed { behind } else { self.column(k) };
             let share = x[k] * inverse.0[l];
             for (i, entry) in (k + 1..).zip(entries) {
                 if i < self.pivots || taking_part[i - self.pivots] {
@@ -99,7 +126,7 @@ impl<'a, const F: usize> Interior<'a, F> {
     }
 
     /// The interior of element `l` in a solution whose ends are known, of which some take part.
-    pub(crate) fn backward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2]) {
+    pub(crate) fn backward(&self, l: usize, x: &mut OfNodes<f64, F>, taking_part: &[[bool; F]; 2], transposed: bool) {
         let x = x.as_flattened_mut();
         for (end, takes_part) in taking_part.as_flattened().iter().enumerate() {
             if !takes_part {
@@ -107,7 +134,8 @@ impl<'a, const F: usize> Interior<'a, F> {
             }
         }
         for k in (0..self.pivots).rev() {
-            let (inverse, entries, _) = self.row(k);
+            let (inverse, behind, _) = self.row(k);
+            let entries = if transposed { self.column(k) } else { behind };
             let sum: f64 = entries.iter().zip(&x[k + 1..]).map(|(entry, x)| entry.0[l] * x).sum();
             x[k] = inverse.0[l] * (x[k] - sum);
         }

@@ -255,8 +255,8 @@ pub(super) fn refuse(model: &PeelModel) -> Result<(), CoarseningError> {
     }
     if !model.has_potential() {
         return refused(
-            "the line load has no potential, and the table is one of an energy",
-            "Give adhesion.line_load = \"full\" or \"axis-gap\"",
+            "the load has no potential, and the table is one of an energy",
+            "Give adhesion.line_load = \"full\" or \"axis-gap\", and no adhesion.shear_work",
         );
     }
     if !model.steps.is_empty() {

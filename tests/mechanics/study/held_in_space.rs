@@ -86,13 +86,30 @@ fn a_spatula_holds_more_the_smaller_the_angle() {
     assert_eq!(flat.check().unwrap_err().key(), "adhesion.shear_strength");
 }
 
+/// A work of slip that is that of opening changes nothing, and at a vanishing azimuth two works are those of the strip in the plane.
 #[test]
-fn two_works_are_refused() {
-    let mut model = strip(CohesiveShape::Exponential, 60.0, 60.0);
-    model.adhesion.shear_work = Some(WORK);
-    assert!(model.check().is_ok());
-    model.adhesion.shear_work = Some(2.0 * WORK);
-    assert_eq!(model.check().unwrap_err().key(), "adhesion.shear_work");
+fn a_work_of_slip_of_its_own() {
+    let peak = |azimuth: f64, work: Option<f64>| {
+        let mut model = strip(CohesiveShape::Exponential, 60.0, azimuth);
+        model.adhesion.shear_work = work;
+        let found = peel(&model, &Accuracy::to(1e-6), &StopCriteria::after_points(40));
+        found.limit_points.first().map(|point| point.force).unwrap()
+    };
+    assert_eq!(peak(60.0, Some(WORK)), peak(60.0, None));
+    let [aside, plane] = [1e-4, 0.0].map(|azimuth| peak(azimuth, Some(3.0 * WORK)));
+    assert!((aside / plane - 1.0).abs() < 1e-9, "{aside} {plane}");
+}
+
+/// With two works the work of the grip is summed up along the path. Of what opens and slips in every direction it lies between both works of the
+/// whole strip.
+#[test]
+fn two_works_take_what_lies_between_them() {
+    let mut model = strip(CohesiveShape::Exponential, 30.0, 60.0);
+    model.adhesion.shear_work = Some(3.0 * WORK);
+    let found = peeled(&model, 1e-4);
+    assert_eq!(found.end, PathEnd::Detached);
+    let share = found.points.last().unwrap().work / (WORK * WIDTH * LENGTH);
+    assert!((1.0..3.0).contains(&share), "{share}");
 }
 
 #[test]

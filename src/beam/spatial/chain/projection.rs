@@ -26,11 +26,12 @@ fn quaternion_of<T: Real>(fields: &[T; SPATIAL_FIELDS]) -> [T; 4] {
     [fields[3], fields[4], fields[5], fields[6]]
 }
 
-/// Writes the front of the fields of four elements, whose nodes have the `values`, as that of their unknowns. No node below the diagonal is
-/// read or written.
+/// Writes the front of the fields of four elements, whose nodes have the `values`, as that of their unknowns. Of a `symmetric` one no node below the
+/// diagonal is read or written.
 #[inline(always)]
 pub(in crate::beam::spatial) fn project(
     nodes: impl Nodes,
+    symmetric: bool,
     fields: &FieldFront,
     values: &[[F64x4; SPATIAL_FIELDS]; MOST_NODES],
     front: &mut SpatialFront,
@@ -47,7 +48,7 @@ pub(in crate::beam::spatial) fn project(
             front.rows[a][f].residual = rows[f].residual;
             front.rows[a][3 + f].residual = on_turn[f];
         }
-        for b in a..nodes.count() {
+        for b in if symmetric { a } else { 0 }..nodes.count() {
             // the columns of node b, then the rows of node a
             let next = &turns[b];
             for i in 0..3 {
@@ -120,15 +121,16 @@ impl EndMaps {
         }
     }
 
-    /// Takes a front from the unknowns of node `at` to those of the ends; what is bent is added to the blocks of their turns.
+    /// Takes a front from the unknowns of node `at` to those of the ends; what is bent is added to the blocks of their turns. Of a `symmetric` one no
+    /// node below the diagonal is read or written.
     #[inline(always)]
-    pub(crate) fn apply(&self, nodes: impl Nodes, at: usize, front: &mut SpatialFront) {
-        for a in 0..=at {
+    pub(crate) fn apply(&self, nodes: impl Nodes, at: usize, symmetric: bool, front: &mut SpatialFront) {
+        for a in 0..if symmetric { at + 1 } else { nodes.count() } {
             for f in 0..SPATIAL_UNKNOWNS {
                 self.back(&mut front.rows[a][f].fields[at]);
             }
         }
-        for b in at..nodes.count() {
+        for b in if symmetric { at } else { 0 }..nodes.count() {
             for g in 0..SPATIAL_UNKNOWNS {
                 let mut column = [F64x4::splat(0.0); SPATIAL_UNKNOWNS];
                 for f in 0..SPATIAL_UNKNOWNS {

@@ -68,18 +68,22 @@ impl SpatialRoom {
     ) -> [F64x4; 2] {
         let Self { bundle, fields, responses } = self;
         let (energy, coverage) = bundle.integrate_gradient::<false>(by, weight, responses, fields);
-        products.assemble(by.nodes, by.basis, &by.coupling, bundle, responses, fields);
+        if by.symmetric {
+            products.assemble(by.nodes, by.basis, &by.coupling, bundle, responses, fields);
+        } else {
+            bundle.assemble(by, responses, fields);
+        }
         let mut energies = [energy, coverage];
         if !by.knots().is_empty() {
             for l in 0..BUNDLE {
                 bundle.lane(l).piecewise(by, |point| {
                     energies[0].0[l] += point.weight * point.response.energy;
                     energies[1].0[l] += point.weight * point.response.coverage;
-                    fields.add_piece(by.nodes, l, point, weight, true);
+                    fields.add_piece(by.nodes, l, point, weight, by.symmetric);
                 });
             }
         }
-        project(by.nodes, fields, &bundle.values, front);
+        project(by.nodes, by.symmetric, fields, &bundle.values, front);
         energies
     }
 }

@@ -101,7 +101,8 @@ impl SpatialChain {
 
     pub(super) fn integration<N: Nodes>(&self, nodes: N) -> Integration<'_, N, SPATIAL_FIELDS> {
         let (density, coupling): (&dyn Integrand<SPATIAL_FIELDS>, _) = (&self.density, self.density.coupling());
-        Integration { nodes, basis: &self.basis, density, coupling, symmetric: true, history: None, in_pieces: true }
+        let symmetric = density.is_symmetric();
+        Integration { nodes, basis: &self.basis, density, coupling, symmetric, history: None, in_pieces: true }
     }
 
     /// Strains at all Gauss points, element by element.

@@ -5,6 +5,7 @@ use super::room::{SpatialFactors, SpatialRoom};
 use super::spatial_chain::{
     SpatialChain, SpatialConfiguration, SpatialEnd, SpatialFunctional, USUAL_ORDER, Usual, quaternion_of,
 };
+use crate::beam::element::integrand::Integrand;
 use crate::beam::spatial::end_rotation::EndMap;
 use crate::beam::spatial::rotation::{Matrix3, apply_transposed, matrix};
 use crate::beam::spatial::section::kinematics::{SPATIAL_FIELDS, SPATIAL_UNKNOWNS};
@@ -35,6 +36,10 @@ impl Fronts<SPATIAL_UNKNOWNS> for ChainFronts<'_> {
         let integrals = room.write(&self.chain.integration(nodes), &self.chain.products, self.coverage, front);
         self.chain.take_ends(nodes, self.at, (first, elements), front);
         integrals
+    }
+
+    fn is_symmetric(&self) -> bool {
+        self.chain.density.is_symmetric()
     }
 
     fn off(&self, _: usize) -> [Option<f64>; SPATIAL_UNKNOWNS] {
@@ -112,7 +117,7 @@ impl SpatialChain {
             let (map, bent) = rotation.map(axes, at.angles[end], quaternion_of(self.end_node(at, end)), gradient);
             let mut maps = EndMaps::same();
             maps.set(l, &map, &bent);
-            maps.apply(nodes, node, front);
+            maps.apply(nodes, node, self.density.is_symmetric(), front);
         }
     }
 

@@ -399,11 +399,14 @@ fn add_hold<T: Real>(pull: &LocalHold<T>, to_field: &[[T; 4]; 4], out: &mut Poin
     out.coverage = out.coverage + pull.energy;
     (out.by_value[0], out.by_value[2]) = (pull.by_place[0], pull.by_place[2]);
     out.by_value[1] = out.by_value[1] + pull.by_place[1];
-    let turned = apply(to_field, &pull.by_value);
+    let (by_place, by_turn) = &pull.change;
+    let turned = apply(to_field, by_turn);
     for i in 0..3 {
         let height = if i == 1 { out.coverage_by_value[1] } else { T::splat(0.0) };
-        out.coverage_by_value[i] = height + pull.by_place[i];
+        out.coverage_by_value[i] = height + by_place[i];
         let mixed = apply(to_field, &pull.place_value[i]);
+        let of_turn: [T; 4] = std::array::from_fn(|k| pull.value_place[k][i]);
+        let turned = apply(to_field, &of_turn);
         for j in 0..3 {
             let known = if i == 1 && j == 1 { out.value_value[1][1] } else { T::splat(0.0) };
             out.value_value[i][j] = known + pull.place_place[i][j];
@@ -411,7 +414,7 @@ fn add_hold<T: Real>(pull: &LocalHold<T>, to_field: &[[T; 4]; 4], out: &mut Poin
         for k in 0..4 {
             let known = if i == 1 { out.value_value[1][3 + k] } else { T::splat(0.0) };
             out.value_value[i][3 + k] = known + mixed[k];
-            out.value_value[3 + k][i] = out.value_value[i][3 + k];
+            out.value_value[3 + k][i] = known + turned[k];
         }
     }
     for k in 0..4 {
@@ -449,7 +452,7 @@ impl Integrand<SPATIAL_FIELDS> for SpatialDensity {
     }
 
     fn is_symmetric(&self) -> bool {
-        true
+        self.held.as_ref().is_none_or(|held| held.law.has_potential())
     }
 
     /// What a viscous material remembers says whether there is one.

@@ -64,7 +64,7 @@ impl BeamTree {
                 }
             }
             if let Some(maps) = maps {
-                maps.apply(nodes, node, front);
+                maps.apply(nodes, node, true, front);
             }
         }
     }

@@ -173,7 +173,7 @@ impl BeamTree {
                 let lanes = self.lanes_of(branch, first);
                 self.gather(at, &lanes, &mut bundle);
                 bundle.integrate::<false>(&by, 0.0, &mut room, &mut fields);
-                project(nodes, &fields, &bundle.values, &mut front);
+                project(nodes, by.symmetric, &fields, &bundle.values, &mut front);
                 self.take_ends(nodes, &at.values, &lanes, &mut front);
                 for (l, &(_, e)) in lanes.iter().enumerate().take(branch.elements - first) {
                     let mut places = [0; MOST_NODES];

@@ -53,6 +53,11 @@ impl Fronts<F> for TreeFronts<'_> {
         [energy, coverage * per_energy]
     }
 
+    /// Nothing that adheres along a branch is without a potential: [`crate::model::PeelModel::branch`].
+    fn is_symmetric(&self) -> bool {
+        true
+    }
+
     fn off(&self, joint: usize) -> [Option<f64>; F] {
         self.tree.joint_off(&self.at.values, joint)
     }

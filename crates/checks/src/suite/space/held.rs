@@ -18,7 +18,7 @@ const FORCES: &str = include_str!("../../../verification/space_held.csv");
 const COLLOCATION: &str = "verification/space_held.py: Gauss collocation";
 const ASKED: f64 = 1e-6;
 /// The peaks lie before that point.
-const BOUNDS: StopCriteria = StopCriteria::after_points(200);
+const BOUNDS: StopCriteria = StopCriteria::after_points(40);
 
 fn checks() -> Vec<Check> {
     let values = read(FORCES);
@@ -36,6 +36,8 @@ fn model(case: &Row) -> Option<PeelModel> {
     strip.adhesion.attraction = Attraction::Cohesive(CohesiveShape::Exponential);
     strip.adhesion.work = Some(case.number("work_J_m2")?);
     strip.adhesion.strength = Some(case.number("strength_GPa")?);
+    strip.adhesion.shear_work = case.number("shear_work_J_m2");
+    strip.adhesion.mixing_exponent = case.number("mixing_exponent");
     let hold = |column| if case.text(column) == Some("fixed") { Hold::Fixed } else { Hold::Free };
     strip.grip.horizontal = hold("horizontal");
     strip.grip.rotation = hold("rotation");
