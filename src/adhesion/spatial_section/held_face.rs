@@ -17,7 +17,7 @@ use crate::number::Real;
 /// How far a face opens, in ranges of the law, or slips, in slip scales, over one piece at most.
 const PIECE: f64 = 0.5;
 /// The same where an exponent mixes the works, by logarithms.
-const MIXED_PIECE: f64 = 0.25;
+const MIXED_PIECE: f64 = 0.05;
 /// A change of less, over [`PIECE`], takes one piece even where a corner of the law is rounded, which is a tenth of a range.
 const SMALL: f64 = 0.05;
 /// Square of the slip over δ_t beyond which nothing is left of B: e⁻⁴⁰ is 4e-18.
