@@ -127,7 +127,11 @@ impl<const F: usize> FrontalFactors<F> {
         for (b, own) in forest.bundles.iter().enumerate() {
             let parts = structure.write(nodes, b, room, front);
             add_inside(nodes, front, added, &own.lanes.map(|e| &forest.pieces[e]));
-            let pivots = if symmetric { front.condense_by_nodes(nodes) } else { front.condense_whole_by_nodes(nodes) };
+            let pivots = if symmetric {
+                front.condense_by_nodes::<true>(nodes)
+            } else {
+                front.condense_by_nodes::<false>(nodes)
+            };
             pack(order, front, &mut inside[b * packed..][..packed]);
             if !symmetric {
                 pack_columns(order, front, &mut columns[b * packed..][..packed]);

@@ -174,10 +174,10 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
         pivots
     }
 
-    /// The same of a symmetric tangent without a border, a node at a time: every number below is read and written F times
-    /// less often.
+    /// The same without a border, a node at a time: every number below is read and written F times less often. Where the tangent is not
+    /// `SYMMETRIC`, what stood below each pivot stays there.
     #[inline(always)]
-    pub(crate) fn condense_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
+    pub(crate) fn condense_by_nodes<const SYMMETRIC: bool>(&mut self, nodes: impl Nodes) -> Pivots<T> {
         let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
         for a in 0..nodes.count() - 2 {
             let (done, below) = self.rows[..nodes.count()].split_at_mut(a + 1);
@@ -188,12 +188,18 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
                 let pivot_row = &first[k];
                 inverse[k] = pivots.invert(pivot_row.fields[a][k]);
                 for (i, row) in (k + 1..).zip(rest) {
-                    let factor = pivot_row.fields[a][i] * inverse[k];
-                    row.reduce::<false, 1>(nodes, [pivot_row], [factor], F * a + i);
+                    let (entry, from) = if SYMMETRIC { (pivot_row.fields[a][i], i) } else { (row.fields[a][k], k + 1) };
+                    row.reduce::<false, 1>(nodes, [pivot_row], [entry * inverse[k]], F * a + from);
                 }
             }
             let pivot_rows: [&FrontalRow<T, F>; F] = own.each_ref();
             for (b, rows) in (a + 1..).zip(below) {
+                if !SYMMETRIC {
+                    for row in rows {
+                        row.reduce_by_node(nodes, pivot_rows, &inverse, a);
+                    }
+                    continue;
+                }
                 let mut two = rows.chunks_exact_mut(2);
                 for (i, pair) in (0..).step_by(2).zip(&mut two) {
                     let [first, second] = pair else { continue };
@@ -211,35 +217,6 @@ impl<T: Real, const F: usize> FrontalMatrix<T, F> {
                     }
                     row.reduce::<false, F>(nodes, pivot_rows, factors, F * b + F - 1);
                 }
-            }
-            self.path.reduce_by_node(nodes, pivot_rows, &inverse, a);
-            for k in 0..F {
-                own[k].fields[a][k] = inverse[k];
-            }
-        }
-        pivots
-    }
-
-    /// The same of a tangent that is not symmetric: what stood below each pivot stays there.
-    #[inline(always)]
-    pub(crate) fn condense_whole_by_nodes(&mut self, nodes: impl Nodes) -> Pivots<T> {
-        let mut pivots = Pivots { least: T::splat(f64::INFINITY), negative: T::splat(0.0) };
-        for a in 0..nodes.count() - 2 {
-            let (done, below) = self.rows[..nodes.count()].split_at_mut(a + 1);
-            let own = &mut done[a];
-            let mut inverse = [T::splat(0.0); F];
-            for k in 0..F {
-                let (first, rest) = own.split_at_mut(k + 1);
-                let pivot_row = &first[k];
-                inverse[k] = pivots.invert(pivot_row.fields[a][k]);
-                for row in rest {
-                    let factor = row.fields[a][k] * inverse[k];
-                    row.reduce::<false, 1>(nodes, [pivot_row], [factor], F * a + k + 1);
-                }
-            }
-            let pivot_rows: [&FrontalRow<T, F>; F] = own.each_ref();
-            for row in below.as_flattened_mut() {
-                row.reduce_by_node(nodes, pivot_rows, &inverse, a);
             }
             self.path.reduce_by_node(nodes, pivot_rows, &inverse, a);
             for k in 0..F {
