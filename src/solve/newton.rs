@@ -184,8 +184,10 @@ fn iterate(
         if !(size.is_finite() && step.force.is_finite()) {
             return Err(SolveError::NotFiniteUpdate { quantity: Quantity::NewtonUpdate });
         }
+        // an update that takes a section from yielding to unloading is followed by a larger one
+        let newest = if system.step_dependence().is_yielding() { previous.max(before) } else { previous };
         let stalls = match updates {
-            Updates::Falling => iterations > 2 && size > 0.9 * previous,
+            Updates::Falling => iterations > 2 && size > 0.9 * newest,
             Updates::Wandering | Updates::Following => iterations > WANDERS && size > 0.9 * previous.max(before),
             Updates::Damped => false,
         };

@@ -64,9 +64,9 @@ impl Accuracy {
         Self { relative: self.relative.max(BEST_YIELDING), ..self.with(Choice { form, mesh, ..self.choice }) }
     }
 
-    /// Order p of the elements.
-    pub(in crate::study) fn order(&self) -> usize {
-        self.choice.order.unwrap_or(ORDER)
+    /// Order p of the elements of a model.
+    pub(in crate::study) fn order(&self, model: &PeelModel) -> usize {
+        self.choice.order.unwrap_or(if model.yields() { ORDER_YIELDING } else { ORDER })
     }
 }
 
@@ -105,6 +105,8 @@ impl Choice {
 /// Order of the elements. At an accuracy of 1e-3 order 5 is faster by half, but on so few elements that the difference to
 /// half as many again is no bound yet.
 pub const ORDER: usize = 7;
+/// The same of a film that yields: where its sections begin to yield the curvature has corners, which more elements see better than higher orders.
+const ORDER_YIELDING: usize = 4;
 /// First step, over the way in which a grip moves a section by its gap.
 const FIRST: f64 = 0.02;
 /// Elements more for each place where the outline of a beam has a break.
@@ -121,7 +123,7 @@ const AT_CORNERS: f64 = 32.0;
 const AT_SHEAR_LAG: f64 = 8.0;
 /// Length of the elements of a film that yields, over that of the process zone, at the accuracy 1e-3; its mesh stays where it is. On one that moves with
 /// the front, curvatures that have turned are found anew at other places from step to step, and Newton's method does not come to rest on them.
-const WHERE_YIELDING: f64 = 0.33;
+const WHERE_YIELDING: f64 = 0.16;
 /// Most elements that are chosen, where the law has corners, and where a film yields.
 const MOST_ELEMENTS: usize = 400;
 const MOST_CORNERED: usize = 1000;
@@ -191,7 +193,7 @@ impl Resolution {
         let aimed = if model.space.is_some() { STEP_TOLERANCE_IN_SPACE } else { STEP_TOLERANCE };
         let longest = if model.is_held() { LONGEST_HELD } else { LONGEST };
         Self {
-            order: accuracy.order(),
+            order: accuracy.order(model),
             elements: accuracy.choice.elements.unwrap_or(chosen),
             step_tolerance: accuracy.choice.step.unwrap_or((aimed * (1e6 * relative).powf(0.25)).min(longest)),
             stride: 1.0,

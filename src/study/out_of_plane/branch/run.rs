@@ -113,7 +113,7 @@ impl Switching<'_> {
         let model = PeelModel { space: Some(space), ..self.model.clone() };
         model.check().map_err(OutOfPlaneBranchError::NotInSpace)?;
         let accuracy = self.accuracy.fitted(&model);
-        let how = Discretisation::moving(accuracy.choice.form, accuracy.order()).on(accuracy.choice.mesh);
+        let how = Discretisation::moving(accuracy.choice.form, accuracy.order(&model)).on(accuracy.choice.mesh);
         let no_order = |_| OutOfPlaneBranchError::NotSwitched(SolveError::SingularGrip);
         model.discretised(how, |_| {}).map_err(no_order)
     }

@@ -294,7 +294,7 @@ mod tests {
     #[test]
     fn a_turning_point_that_was_not_located_is_missed() {
         let (model, accuracy) = (PeelModel::from(StripModel::of_the_paper(100.0, 1.0)), Accuracy::to(1e-6));
-        let problem = model.problem(Form::TwoField, accuracy.order()).unwrap();
+        let problem = model.problem(Form::TwoField, accuracy.order(&model)).unwrap();
         let options = Resolution::first(&model, &accuracy).path_options(&model, accuracy.relative);
         let limits = Limits { stop: &StopCriteria::after_points(5000), checkpoint: &Checkpoint::NOTHING };
         let mut followed = follow(
