@@ -266,18 +266,24 @@ pub(super) fn widened(mut peel: Peel, accuracy: &Accuracy, least: Option<f64>) -
     // with friction a path depends on its steps: where a maximum lies may change by little from some steps to others by luck
     let of_place = if peel.model.friction.strength.is_some() { Some(accuracy.relative) } else { least };
     let [share, of_place] = [least, of_place].map(|least| least.unwrap_or(0.0));
+    // one that is no number stays none
+    let widen = |error: &mut f64, least: f64| {
+        if *error < least {
+            *error = least;
+        }
+    };
     let Peel { limit_points, initiation_peak, peak, snap_off, pad_detachment, detachment, plateau, .. } = &mut peel;
     for point in limit_points.iter_mut().chain(snap_off).chain(pad_detachment).chain(detachment) {
-        point.force_error = point.force_error.max(share * point.force.abs());
-        point.displacement_error = point.displacement_error.max(of_place * point.displacement.abs());
-        point.work_error = point.work_error.map(|error| error.max(share * point.work.abs()));
+        widen(&mut point.force_error, share * point.force.abs());
+        widen(&mut point.displacement_error, of_place * point.displacement.abs());
+        point.work_error.iter_mut().for_each(|error| widen(error, share * point.work.abs()));
     }
     if let Some(plateau) = plateau {
-        plateau.force_error = plateau.force_error.map(|error| error.max(share * plateau.force));
+        plateau.force_error.iter_mut().for_each(|error| widen(error, share * plateau.force));
     }
     for peak in initiation_peak.iter_mut().chain(peak) {
-        peak.force_error = peak.force_error.max(share * peak.force.abs());
-        peak.displacement_error = peak.displacement_error.max(of_place * peak.displacement.abs());
+        widen(&mut peak.force_error, share * peak.force.abs());
+        widen(&mut peak.displacement_error, of_place * peak.displacement.abs());
     }
     peel
 }
